@@ -1,0 +1,12 @@
+//! Shapes to nodes, volumes and areas, to neighbours, to corrected gradients.
+//!
+//! Owns everything that is computed once from the reference configuration. Knows neither materials
+//! nor momentum nor time.
+
+mod particles;
+mod shape;
+mod stencil;
+
+pub use particles::{FaceNodes, Particles};
+pub use shape::Shape;
+pub use stencil::{Consistency, Kernel, Stencils};

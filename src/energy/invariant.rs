@@ -1,0 +1,46 @@
+//! What an energy may be written in.
+
+/// A scalar measure of the deformation; directions are indices into the material's list.
+///
+/// `F`, `H = cof F` and `J` are the maps of the state, `C = Fᵀ F`, directions are unit vectors of the
+/// reference configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Invariant {
+    /// `I1 = F : F`
+    I1,
+    /// `I2 = H : H`
+    I2,
+    /// `I3 = J²`
+    I3,
+    /// `J`
+    J,
+    /// `Ī1 = J^(-2/3) F : F`
+    I1Bar,
+    /// `Ī2 = J^(-4/3) H : H`
+    I2Bar,
+    /// Principal stretch `λ_i`, `i` in 0..3, in descending order.
+    Stretch(u8),
+    /// Isochoric principal stretch `λ̄_i = J^(-1/3) λ_i`.
+    StretchBar(u8),
+    /// `I4(a) = |F a|²`
+    I4(u8),
+    /// `I5(a) = |C a|²`
+    I5(u8),
+    /// `Ī4(a) = J^(-2/3) |F a|²`
+    I4Bar(u8),
+    /// `Ī5(a) = J^(-4/3) |C a|²`
+    I5Bar(u8),
+    /// `I8(a, b) = F a · F b`
+    I8(u8, u8),
+    /// `E(a, b) = ½ (F a · F b − a · b)`
+    Green(u8, u8),
+}
+
+/// A leaf of an energy's tape.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Leaf {
+    /// An invariant of the deformation.
+    Invariant(Invariant),
+    /// A material parameter, an index into the material's list.
+    Parameter(u32),
+}

@@ -1,0 +1,1 @@
+//! What is live, why, in which order, at what cost.

@@ -1,0 +1,1 @@
+//! A scene from text to files.

@@ -1,0 +1,1 @@
+//! How a physical block declares its words.

@@ -1,0 +1,1 @@
+//! Right-hand side, loads, constraints, time stepping.
