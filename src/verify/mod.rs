@@ -1,1 +1,12 @@
-//! Claims, bounds and verdicts.
+//! Claims, the verdicts on them and the report.
+//!
+//! Owns what a claim is, how it is judged and how the judgement is printed. The claims themselves
+//! live beside their references in `verification/`; nothing here knows the command line.
+
+pub mod claim;
+
+#[path = "../../verification/mod.rs"]
+mod claims;
+
+pub use claim::{Claim, Topic, Verdict};
+pub use claims::quick;

@@ -1,0 +1,25 @@
+//! The claims of this program, one directory a topic, one file a claim.
+//!
+//! Each file measures one number against mathematics or an independent reference, and measures a
+//! deliberately wrong variant beside it. The numbers come from algebra, a second route or a cited
+//! table, never from this program's own past.
+
+use super::claim::Claim;
+
+mod benchmarks;
+mod conservation;
+mod consistency;
+mod discretisation;
+mod energies;
+
+/// The claims that together take seconds; `cargo test` holds every one of them.
+pub fn quick() -> Vec<Claim> {
+    let groups = [
+        energies::CLAIMS,
+        discretisation::CLAIMS,
+        conservation::CLAIMS,
+        consistency::CLAIMS,
+        benchmarks::CLAIMS,
+    ];
+    groups.concat()
+}
