@@ -1,1 +1,14 @@
-//! Tables, frames and figures.
+//! Tables, frames, figures and reports: from data to bytes, and bytes to files.
+//!
+//! Owns the formats of everything written. Nothing here knows the solver or how a number was
+//! computed; figures are drawn from tables and frames only.
+
+pub mod file;
+
+pub mod provenance;
+pub mod report;
+pub mod table;
+
+pub use provenance::Provenance;
+pub use report::RunReport;
+pub use table::{Table, TableColumn, TableError, TableWriter};
