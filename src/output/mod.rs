@@ -4,11 +4,13 @@
 //! computed; figures are drawn from tables and frames only.
 
 pub mod file;
+pub mod frame;
 
 pub mod provenance;
 pub mod report;
 pub mod table;
 
+pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;
 pub use table::{Table, TableColumn, TableError, TableWriter};
