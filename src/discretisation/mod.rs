@@ -3,10 +3,19 @@
 //! Owns everything that is computed once from the reference configuration. Knows neither materials
 //! nor momentum nor time.
 
+mod correction;
+mod error;
+mod grid;
+mod integration;
+mod kernel;
+mod lattice;
+mod neighbour;
 mod particles;
 mod shape;
 mod stencil;
 
+pub use error::DiscretisationError;
+pub use kernel::Kernel;
 pub use particles::{FaceNodes, Particles};
 pub use shape::Shape;
-pub use stencil::{Consistency, Kernel, Stencils};
+pub use stencil::{Consistency, Row, Stencils};

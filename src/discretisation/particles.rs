@@ -1,5 +1,10 @@
 //! Nodes with their volumes and boundary areas.
+//!
+//! Owns the arrays a body is given to the solver as. Knows no kernel.
 
+use super::error::DiscretisationError;
+use super::lattice;
+use super::shape::Shape;
 use crate::tensor::Vec3;
 
 /// The nodes of one body, in spatial order.
@@ -7,12 +12,16 @@ use crate::tensor::Vec3;
 pub struct Particles {
     /// Reference positions `X_a`, m.
     pub position: Vec<Vec3>,
-    /// Reference volumes `V_a`, m³.
+    /// Reference volumes `V_a = ∫ N_a dV`, m³.
     pub volume: Vec<f64>,
     /// Boundary faces, symmetry planes included; a node on an edge belongs to several.
     pub faces: Vec<FaceNodes>,
-    /// Lattice spacing, m.
+    /// Spacing the smoothing length is measured by: the greatest over the axes of a lattice, m.
     pub spacing: f64,
+    /// Shortest edge of the background grid, at most `spacing`, m.
+    pub least_spacing: f64,
+    /// Cells of the background grid, corners in the order of VTK's hexahedron.
+    pub cells: Vec<[u32; 8]>,
 }
 
 /// The nodes of one face and the area each carries on it.
@@ -24,9 +33,46 @@ pub struct FaceNodes {
     pub nodes: Vec<u32>,
     /// `A_a N_a` of each of these nodes on this face alone, outward, m².
     pub area: Vec<Vec3>,
+    /// Quadrilaterals of the face, each counter-clockwise seen from outside.
+    pub quads: Vec<[u32; 4]>,
 }
 
 impl Particles {
+    /// Nodes of a shape on a lattice, nodes on its boundary included.
+    ///
+    /// | argument | meaning | unit |
+    /// |---|---|---|
+    /// | `shape` | the whole body | – |
+    /// | `spacing` | spacing asked for; [`Particles::spacing`] is what fits the shape | m |
+    /// | `symmetry` | planes normal to x, y, z; the part of greater coordinates is kept | m |
+    /// | `jitter` | bound of each component of the nodes' random displacement, in spacings | – |
+    ///
+    /// The displacement is the same in every run. A face cut by a plane is named `symmetry_x`,
+    /// `symmetry_y` or `symmetry_z` and carries its areas like every other.
+    ///
+    /// # Errors
+    /// A [`DiscretisationError`] that says which argument does not fit the shape.
+    pub fn lattice(
+        shape: &Shape,
+        spacing: f64,
+        symmetry: [Option<f64>; 3],
+        jitter: f64,
+    ) -> Result<Self, DiscretisationError> {
+        match shape {
+            Shape::Box { min, max } => lattice::of_box(min, max, spacing, symmetry, jitter),
+        }
+    }
+
+    /// How many nodes there are.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there are no nodes.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+
     /// `A_a N_a` of every node: the sum over all faces, zero inside, m².
     pub fn boundary_area(&self) -> Vec<Vec3> {
         let mut area = vec![Vec3::zeros(); self.position.len()];

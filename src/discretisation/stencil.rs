@@ -1,16 +1,16 @@
 //! Neighbour lists and corrected gradients.
+//!
+//! Owns the compressed rows the solver loops over and how they are put together. Knows no field but
+//! positions and volumes.
 
+use super::correction;
+use super::error::DiscretisationError;
+use super::integration;
+use super::kernel::Kernel;
+use super::neighbour::Neighbours;
+use super::particles::Particles;
 use crate::tensor::Vec3;
-
-/// Smoothing kernels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Kernel {
-    /// Wendland's C2 function of support 2 h.
-    WendlandC2,
-    /// The cubic B-spline of support 2 h.
-    CubicSpline,
-}
+use rayon::prelude::*;
 
 /// What the corrected gradients are made to satisfy beyond linear exactness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -35,4 +35,151 @@ pub struct Stencils {
     pub forward: Vec<Vec3>,
     /// `V_b G_a(X_b)` of each entry, the entry `(b, a)` of `forward`, m².
     pub backward: Vec<Vec3>,
+}
+
+/// One row of [`Stencils`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row<'a> {
+    /// Neighbours `b`, ascending, the particle itself included.
+    pub neighbours: &'a [u32],
+    /// `V_a G_b(X_a)`, m².
+    pub forward: &'a [Vec3],
+    /// `V_b G_a(X_b)`, m².
+    pub backward: &'a [Vec3],
+}
+
+impl Stencils {
+    /// Finds the neighbours of every particle and corrects their gradients.
+    ///
+    /// | argument | meaning | unit |
+    /// |---|---|---|
+    /// | `particles` | the body | – |
+    /// | `kernel` | the kernel | – |
+    /// | `smoothing` | `h/dx`, smoothing length over [`Particles::spacing`] | – |
+    /// | `consistency` | whether the integration constraint is imposed | – |
+    ///
+    /// The result does not depend on the number of threads: every row is summed in its own order.
+    ///
+    /// # Errors
+    /// [`DiscretisationError::BadSmoothing`]; [`DiscretisationError::TooManyParticles`] if the entries
+    /// outgrow their index; [`DiscretisationError::SingularMoments`] if the neighbours of a particle do not
+    /// span space; [`DiscretisationError::ConstraintNotMet`] if the integration constraint cannot be met.
+    pub fn build(
+        particles: &Particles,
+        kernel: Kernel,
+        smoothing: f64,
+        consistency: Consistency,
+    ) -> Result<Self, DiscretisationError> {
+        let h = smoothing * particles.spacing;
+        if !(smoothing > 0.0 && smoothing < 10.0) {
+            return Err(DiscretisationError::BadSmoothing { smoothing });
+        }
+        let (position, volume) = (&particles.position, &particles.volume);
+        let list = Neighbours::search(position, kernel.support() * h)?;
+        let rows: Vec<Option<Vec<Vec3>>> = (0..position.len())
+            .into_par_iter()
+            .map(|a| correction::row(kernel, h, a, &list.neighbour[list.range(a)], position, volume))
+            .collect();
+        let mut forward = Vec::with_capacity(list.neighbour.len());
+        for (a, row) in rows.into_iter().enumerate() {
+            forward.extend(row.ok_or_else(|| DiscretisationError::SingularMoments {
+                particle: a,
+                position: position[a],
+                neighbours: list.range(a).len(),
+            })?);
+        }
+        let reverse = list.reverse();
+        if consistency == Consistency::Integration {
+            integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?;
+        }
+        let backward = reverse.iter().map(|&entry| forward[entry as usize]).collect();
+        Ok(Self { start: list.start, neighbour: list.neighbour, forward, backward })
+    }
+
+    /// How many particles there are.
+    pub fn len(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// Whether there are no particles.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The row of particle `a`.
+    ///
+    /// # Panics
+    /// If there is no particle `a`.
+    pub fn row(&self, a: usize) -> Row<'_> {
+        let range = self.start[a] as usize..self.start[a + 1] as usize;
+        Row {
+            neighbours: &self.neighbour[range.clone()],
+            forward: &self.forward[range.clone()],
+            backward: &self.backward[range],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discretisation::Shape;
+
+    fn block(jitter: f64) -> Particles {
+        let shape = Shape::Box { min: Vec3::new(-0.1, 0.0, 0.2), max: Vec3::new(0.9, 0.6, 0.4) };
+        Particles::lattice(&shape, 0.1, [None, Some(0.2), None], jitter).unwrap()
+    }
+
+    #[test]
+    fn one_layer_of_particles_is_refused_by_name() {
+        let mut particles = block(0.0);
+        for x in &mut particles.position {
+            x.z = 0.0;
+        }
+        let error = Stencils::build(&particles, Kernel::WendlandC2, 1.01, Consistency::Kernel).unwrap_err();
+        assert!(matches!(error, DiscretisationError::SingularMoments { particle: 0, .. }), "{error}");
+    }
+
+    #[test]
+    fn a_smoothing_that_reaches_no_neighbour_is_refused() {
+        for smoothing in [0.4, 0.0, f64::NAN] {
+            assert!(
+                Stencils::build(&block(0.0), Kernel::WendlandC2, smoothing, Consistency::Kernel).is_err()
+            );
+        }
+    }
+
+    #[test]
+    fn areas_that_no_grid_gave_cannot_be_met_and_are_refused() {
+        let mut particles = block(0.0);
+        particles.faces[0].area[0] *= 2.0;
+        let error =
+            Stencils::build(&particles, Kernel::WendlandC2, 1.01, Consistency::Integration).unwrap_err();
+        assert!(matches!(error, DiscretisationError::ConstraintNotMet { .. }), "{error}");
+    }
+
+    #[test]
+    fn backward_is_forward_of_the_reversed_pair_to_the_last_bit() {
+        for consistency in [Consistency::Kernel, Consistency::Integration] {
+            let stencils = Stencils::build(&block(0.2), Kernel::CubicSpline, 1.2, consistency).unwrap();
+            for a in 0..stencils.len() {
+                let row = stencils.row(a);
+                assert!(row.neighbours.is_sorted());
+                for (&b, backward) in row.neighbours.iter().zip(row.backward) {
+                    let other = stencils.row(b as usize);
+                    let entry = other.neighbours.binary_search(&(a as u32)).unwrap();
+                    assert_eq!(*backward, other.forward[entry]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit() {
+        let build = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| Stencils::build(&block(0.2), Kernel::WendlandC2, 1.2, Consistency::Integration))
+        };
+        assert_eq!(build(1).unwrap(), build(3).unwrap());
+    }
 }

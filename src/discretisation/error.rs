@@ -1,0 +1,140 @@
+//! Why a body could not be discretised.
+//!
+//! Owns the error of this layer. Lengths are SI and places are reference positions: the scene adds the
+//! line of the file and the user's units.
+
+use crate::tensor::Vec3;
+use std::fmt;
+
+/// Why a body could not be discretised.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum DiscretisationError {
+    /// The spacing is not a positive, finite length.
+    BadSpacing {
+        /// The spacing asked for, m.
+        spacing: f64,
+    },
+    /// A dimension of the shape is not a positive, finite length.
+    BadDimension {
+        /// Which dimension: `x`, `radius`, `gauge width`.
+        name: &'static str,
+        /// Its value, m.
+        value: f64,
+    },
+    /// The spacing divides the edges so differently that neighbours would differ between axes.
+    UnevenSpacing {
+        /// The spacing asked for, m.
+        requested: f64,
+        /// What the nearest whole counts give along x, y, z, m.
+        actual: [f64; 3],
+        /// The nearest spacing that divides all edges well, m.
+        suggestion: f64,
+    },
+    /// The random displacement of nodes must lie in [0, 0.5) spacings.
+    BadJitter {
+        /// The fraction asked for.
+        jitter: f64,
+    },
+    /// A plane of symmetry does not cut the shape.
+    PlaneOutside {
+        /// Axis of its normal.
+        axis: usize,
+        /// Its coordinate, m.
+        at: f64,
+        /// Least and greatest coordinate of the shape along the axis, m.
+        extent: (f64, f64),
+    },
+    /// More nodes than indices and memory allow.
+    TooManyParticles {
+        /// How many the spacing asks for.
+        count: f64,
+        /// The most that are accepted.
+        limit: u32,
+    },
+    /// A cell of the background grid is turned inside out.
+    InvertedCell {
+        /// Its centre, m.
+        position: Vec3,
+        /// The smallest determinant of its map relative to a regular cell's.
+        determinant: f64,
+    },
+    /// The ratio of smoothing length to spacing is not a positive, finite number.
+    BadSmoothing {
+        /// The ratio asked for.
+        smoothing: f64,
+    },
+    /// The neighbours of a particle do not span space, so no gradient can be formed.
+    SingularMoments {
+        /// Index of the particle.
+        particle: usize,
+        /// Its reference position, m.
+        position: Vec3,
+        /// How many neighbours it has, itself included.
+        neighbours: usize,
+    },
+    /// The integration constraint was not met.
+    ConstraintNotMet {
+        /// Particle with the largest leftover.
+        particle: usize,
+        /// Its reference position, m.
+        position: Vec3,
+        /// The leftover of its boundary area, as a fraction of the squared spacing.
+        leftover: f64,
+        /// Iterations spent.
+        iterations: usize,
+    },
+}
+
+impl fmt::Display for DiscretisationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BadSpacing { spacing } => {
+                write!(f, "spacing {spacing:e} m is not a positive, finite length")
+            }
+            Self::BadDimension { name, value } => {
+                write!(f, "{name} {value:e} m is not a positive, finite length")
+            }
+            Self::UnevenSpacing { requested, actual: [x, y, z], suggestion } => write!(
+                f,
+                "spacing {requested:.6e} m does not divide the edges: the nearest is {x:.6e} m along x, \
+                 {y:.6e} m along y, {z:.6e} m along z; {suggestion:.6e} m does"
+            ),
+            Self::BadJitter { jitter } => {
+                write!(f, "jitter {jitter} is outside [0, 0.5), a fraction of the spacing")
+            }
+            Self::PlaneOutside { axis, at, extent: (low, high) } => write!(
+                f,
+                "the plane of symmetry {} = {at:.4e} m does not cut the body, which reaches from {low:.4e} m \
+                 to {high:.4e} m",
+                ["x", "y", "z"][*axis]
+            ),
+            Self::TooManyParticles { count, limit } => {
+                write!(f, "the spacing asks for {count:.3e} particles, at most {limit} are accepted")
+            }
+            Self::InvertedCell { position: x, determinant } => write!(
+                f,
+                "the cell at X = ({:.4e}, {:.4e}, {:.4e}) m is turned inside out (relative determinant \
+                 {determinant:.2e}): less jitter or a finer spacing is required",
+                x.x, x.y, x.z
+            ),
+            Self::BadSmoothing { smoothing } => {
+                write!(f, "h/dx = {smoothing} is not a positive, finite number")
+            }
+            Self::SingularMoments { particle, position: x, neighbours } => write!(
+                f,
+                "particle {particle}, X = ({:.4e}, {:.4e}, {:.4e}) m, has {neighbours} neighbours, which do not \
+                 span space: a greater h/dx or a finer spacing is required",
+                x.x, x.y, x.z
+            ),
+            Self::ConstraintNotMet { particle, position: x, leftover, iterations } => write!(
+                f,
+                "integration consistency is missed by {leftover:.2e} dx^2 at particle {particle}, X = ({:.4e}, \
+                 {:.4e}, {:.4e}) m, after {iterations} iterations",
+                x.x, x.y, x.z
+            ),
+        }
+    }
+}
+
+impl std::error::Error for DiscretisationError {}

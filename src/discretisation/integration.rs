@@ -1,0 +1,314 @@
+//! Integration consistency: the least correction of the gradients that makes boundary areas exact.
+//!
+//! Owns the constraint and its solution. Knows neither the lattice nor what the gradients are used for.
+//!
+//! Write `C_ab = V_a G_b(X_a)`. The gradient at `a` is `(1/V_a) Σ_b f_b ⊗ C_ab`, a row of `C`; the force of
+//! a uniform stress on `a` is `P Σ_b C_ba`, a column. Rows are linearly exact,
+//!
+//! ```text
+//! Σ_b C_ab = 0,    Σ_b X_b ⊗ C_ab = V_a I,
+//! ```
+//!
+//! and integration by parts asks of the columns what it gives the shape functions (the integration
+//! constraint of Chen, Hillman & Rüter 2013):
+//!
+//! ```text
+//! Σ_b C_ba = A_a N_a.
+//! ```
+//!
+//! Among all `C + δ` that satisfy the three we take the one of least `½ Σ_{a≠b} |δ_ab|²/w_ab` with
+//! `w_ab = V_a V_b W(|X_b − X_a|)` and `δ_aa = −Σ_{b≠a} δ_ab`. The components of `δ` are independent. For one
+//! of them, with multipliers `φ_a` of the columns and `g_a` of the rows' first moments, the function is
+//! stationary where
+//!
+//! ```text
+//! δ_ab = w_ab [ (φ_b − φ_a) − g_a · (X_b − X_a) ],
+//! ```
+//!
+//! since `δ_ab` adds to column `b` and, through `δ_aa`, subtracts from column `a`. The first moments
+//! `Σ_b δ_ab (X_b − X_a) = 0` make `g_a` the weighted least-squares gradient of `φ`,
+//!
+//! ```text
+//! M_a g_a = Σ_b w_ab (φ_b − φ_a)(X_b − X_a),    M_a = Σ_b w_ab (X_b − X_a) ⊗ (X_b − X_a),
+//! ```
+//!
+//! and the columns, `w` being symmetric, are one system for `φ`:
+//!
+//! ```text
+//! (K φ)_a = Σ_b (δ_ba − δ_ab) = Σ_b w_ab [ (g_a + g_b) · (X_b − X_a) − 2 (φ_b − φ_a) ] = A_a N_a − Σ_b C_ba.
+//! ```
+//!
+//! `φ · K φ = Σ_ab δ_ab²/w_ab ≥ 0`, and zero only for `φ` that every particle sees as linear: `K` is symmetric
+//! and positive but for the four linear functions. The right side is orthogonal to those: to constants
+//! because `Σ_a A_a N_a = 0` and the rows sum to zero, to coordinates because
+//! `Σ_a X_a ⊗ A_a N_a = Σ_a V_a I = Σ_b Σ_a X_a ⊗ C_ba`. So a solution exists exactly if areas and volumes
+//! come from one background grid.
+
+use super::correction::inverse;
+use super::error::DiscretisationError;
+use super::kernel::Kernel;
+use super::neighbour::Neighbours;
+use super::particles::Particles;
+use crate::tensor::{Mat3, Vec3};
+use rayon::prelude::*;
+
+/// Leftover of the constraint that is accepted, as a fraction of the squared spacing. The column sums of
+/// some 30 entries below one squared spacing round to about 1e-15 of it.
+const TOLERANCE: f64 = 1e-13;
+
+/// Reduction of the residual asked of one run of conjugate gradients; the next run starts from the
+/// residual formed anew.
+const REDUCTION: f64 = 1e-9;
+
+/// Runs of conjugate gradients after which the constraint counts as not met.
+const MOST_RUNS: usize = 8;
+
+/// Iterations after which a run of conjugate gradients ends; the condition number grows with the fourth
+/// power of the number of particles along an edge, the count of iterations with its square.
+const MOST_ITERATIONS: usize = 20_000;
+
+/// Particles whose partial sums are added before those of the next ones: a fixed order on any number of
+/// threads.
+const CHUNK: usize = 1024;
+
+/// Corrects `forward`, the entries `V_a G_b(X_a)`, so that the integration constraint holds. Returns the
+/// iterations of conjugate gradients spent.
+///
+/// # Errors
+/// [`DiscretisationError::SingularMoments`], [`DiscretisationError::ConstraintNotMet`].
+pub(super) fn impose(
+    particles: &Particles,
+    kernel: Kernel,
+    h: f64,
+    list: &Neighbours,
+    reverse: &[u32],
+    forward: &mut [Vec3],
+) -> Result<usize, DiscretisationError> {
+    let target = particles.boundary_area();
+    let scale = particles.spacing * particles.spacing;
+    let system = System::new(particles, kernel, h, list)?;
+    let mut iterations = 0;
+    for run in 0.. {
+        let residual: Vec<Vec3> = (0..target.len())
+            .into_par_iter()
+            .map(|a| reverse[list.range(a)].iter().fold(target[a], |r, &entry| r - forward[entry as usize]))
+            .collect();
+        let (particle, leftover) = residual
+            .iter()
+            .map(|r| r.amax() / scale)
+            .enumerate()
+            .fold((0, 0.0), |worst, (a, r)| if r > worst.1 || r.is_nan() { (a, r) } else { worst });
+        if leftover <= TOLERANCE {
+            break;
+        }
+        if run == MOST_RUNS || leftover.is_nan() {
+            let position = particles.position[particle];
+            return Err(DiscretisationError::ConstraintNotMet { particle, position, leftover, iterations });
+        }
+        let (phi, spent) = system.solve(residual);
+        iterations += spent;
+        system.correct(&phi, forward);
+    }
+    Ok(iterations)
+}
+
+/// The system `K φ = r`, three right sides at once.
+struct System<'a> {
+    list: &'a Neighbours,
+    position: &'a [Vec3],
+    /// `w_ab` of each entry, m³; zero for `b = a`, which drops out.
+    weight: Vec<f64>,
+    /// `M_a⁻¹`, m⁻⁵.
+    inverse_moment: Vec<Mat3>,
+    /// Inverse of the diagonal of `K`, m⁻³.
+    preconditioner: Vec<f64>,
+    /// Orthonormal basis of the linear functions on the particles.
+    linear: [Vec<f64>; 4],
+}
+
+impl<'a> System<'a> {
+    fn new(
+        particles: &'a Particles,
+        kernel: Kernel,
+        h: f64,
+        list: &'a Neighbours,
+    ) -> Result<Self, DiscretisationError> {
+        let (position, volume) = (&particles.position[..], &particles.volume);
+        let row = |a: usize| {
+            list.range(a).map(move |entry| {
+                let b = list.neighbour[entry] as usize;
+                let r = (position[b] - position[a]).norm();
+                if b == a { 0.0 } else { volume[a] * volume[b] * kernel.value(r, h) }
+            })
+        };
+        let weight: Vec<f64> = (0..position.len()).into_par_iter().flat_map_iter(row).collect();
+
+        let sums = |a: usize| {
+            let (mut zeroth, mut first, mut second) = (0.0, Vec3::zeros(), Mat3::zeros());
+            for entry in list.range(a) {
+                let d = position[list.neighbour[entry] as usize] - position[a];
+                zeroth += weight[entry];
+                first += weight[entry] * d;
+                second += weight[entry] * d * d.transpose();
+            }
+            (zeroth, first, inverse(&second))
+        };
+        let sums: Vec<(f64, Vec3, Option<Mat3>)> = (0..position.len()).into_par_iter().map(sums).collect();
+        let mut inverse_moment = Vec::with_capacity(position.len());
+        for (a, (_, _, moment)) in sums.iter().enumerate() {
+            inverse_moment.push(moment.ok_or_else(|| DiscretisationError::SingularMoments {
+                particle: a,
+                position: position[a],
+                neighbours: list.range(a).len(),
+            })?);
+        }
+        let diagonal = |a: usize| {
+            let (zeroth, first, _) = &sums[a];
+            let mut diagonal = 2.0 * zeroth - first.dot(&(inverse_moment[a] * first));
+            for entry in list.range(a) {
+                let b = list.neighbour[entry] as usize;
+                let d = position[b] - position[a];
+                diagonal -= weight[entry] * weight[entry] * d.dot(&(inverse_moment[b] * d));
+            }
+            1.0 / diagonal
+        };
+        let preconditioner = (0..position.len()).into_par_iter().map(diagonal).collect();
+        Ok(Self {
+            list,
+            position,
+            weight,
+            inverse_moment,
+            preconditioner,
+            linear: linear_functions(position),
+        })
+    }
+
+    /// Least-squares gradients of the three components of `φ`, one a row.
+    fn gradients(&self, phi: &[Vec3]) -> Vec<Mat3> {
+        let gradient = |a: usize| {
+            let mut sum = Mat3::zeros();
+            for entry in self.list.range(a) {
+                let b = self.list.neighbour[entry] as usize;
+                sum += (self.weight[entry] * (phi[b] - phi[a]))
+                    * (self.position[b] - self.position[a]).transpose();
+            }
+            sum * self.inverse_moment[a]
+        };
+        (0..phi.len()).into_par_iter().map(gradient).collect()
+    }
+
+    /// `K φ`.
+    fn apply(&self, phi: &[Vec3]) -> Vec<Vec3> {
+        let g = self.gradients(phi);
+        let row = |a: usize| {
+            self.list.range(a).fold(Vec3::zeros(), |sum, entry| {
+                let b = self.list.neighbour[entry] as usize;
+                let d = self.position[b] - self.position[a];
+                sum + self.weight[entry] * ((g[a] + g[b]) * d - 2.0 * (phi[b] - phi[a]))
+            })
+        };
+        (0..phi.len()).into_par_iter().map(row).collect()
+    }
+
+    /// Adds `δ_ab` of a solution to the entries of every row.
+    fn correct(&self, phi: &[Vec3], forward: &mut [Vec3]) {
+        let g = self.gradients(phi);
+        for a in 0..phi.len() {
+            let mut own = 0;
+            let mut sum = Vec3::zeros();
+            for entry in self.list.range(a) {
+                let b = self.list.neighbour[entry] as usize;
+                if b == a {
+                    own = entry;
+                    continue;
+                }
+                let d = self.position[b] - self.position[a];
+                let delta = self.weight[entry] * ((phi[b] - phi[a]) - g[a] * d);
+                forward[entry] += delta;
+                sum += delta;
+            }
+            forward[own] -= sum;
+        }
+    }
+
+    /// Solves `K φ = residual` by preconditioned conjugate gradients, each component with its own step, and
+    /// returns `φ` and the iterations spent.
+    fn solve(&self, mut residual: Vec<Vec3>) -> (Vec<Vec3>, usize) {
+        self.remove_linear(&mut residual);
+        let mut phi = vec![Vec3::zeros(); residual.len()];
+        let precondition =
+            |r: &[Vec3]| -> Vec<Vec3> { r.iter().zip(&self.preconditioner).map(|(r, &m)| r * m).collect() };
+        let small = inner(&residual, &residual) * (REDUCTION * REDUCTION);
+        let mut z = precondition(&residual);
+        let mut direction = z.clone();
+        let mut rho = inner(&residual, &z);
+        for iteration in 0..MOST_ITERATIONS {
+            let norm = inner(&residual, &residual);
+            if (0..3).all(|i| norm[i] <= small[i]) {
+                return (phi, iteration);
+            }
+            let image = self.apply(&direction);
+            let curvature = inner(&direction, &image);
+            // a component that is done has neither residual nor curvature left
+            let step = Vec3::from_fn(|i, _| if norm[i] <= small[i] { 0.0 } else { rho[i] / curvature[i] });
+            for a in 0..phi.len() {
+                phi[a] += step.component_mul(&direction[a]);
+                residual[a] -= step.component_mul(&image[a]);
+            }
+            self.remove_linear(&mut residual);
+            z = precondition(&residual);
+            let next = inner(&residual, &z);
+            let turn = Vec3::from_fn(|i, _| if rho[i] == 0.0 { 0.0 } else { next[i] / rho[i] });
+            rho = next;
+            for (d, z) in direction.iter_mut().zip(&z) {
+                *d = z + turn.component_mul(d);
+            }
+        }
+        (phi, MOST_ITERATIONS)
+    }
+
+    /// Removes the linear part, which rounding brings in and `K` cannot see.
+    fn remove_linear(&self, field: &mut [Vec3]) {
+        for basis in &self.linear {
+            let sum = chunked(field.len(), |a| field[a] * basis[a]);
+            for (x, &b) in field.iter_mut().zip(basis) {
+                *x -= b * sum;
+            }
+        }
+    }
+}
+
+/// Orthonormal basis of constants and coordinates, by Gram–Schmidt done twice.
+fn linear_functions(position: &[Vec3]) -> [Vec<f64>; 4] {
+    let mut basis: [Vec<f64>; 4] = std::array::from_fn(|i| match i {
+        0 => vec![1.0; position.len()],
+        _ => position.iter().map(|x| x[i - 1]).collect(),
+    });
+    for i in 0..4 {
+        let (done, rest) = basis.split_at_mut(i);
+        let current = &mut rest[0];
+        for _ in 0..2 {
+            for other in done.iter() {
+                let overlap: f64 = current.iter().zip(other).map(|(x, y)| x * y).sum();
+                current.iter_mut().zip(other).for_each(|(x, y)| *x -= overlap * y);
+            }
+            let norm = current.iter().map(|x| x * x).sum::<f64>().sqrt();
+            current.iter_mut().for_each(|x| *x /= norm);
+        }
+    }
+    basis
+}
+
+/// Component-wise inner products of two fields.
+fn inner(x: &[Vec3], y: &[Vec3]) -> Vec3 {
+    chunked(x.len(), |a| x[a].component_mul(&y[a]))
+}
+
+/// Sum over particles, in chunks of a fixed size.
+fn chunked(len: usize, term: impl Fn(usize) -> Vec3 + Sync) -> Vec3 {
+    let partial = |chunk: usize| {
+        (chunk * CHUNK..((chunk + 1) * CHUNK).min(len)).fold(Vec3::zeros(), |sum, a| sum + term(a))
+    };
+    let partial: Vec<Vec3> = (0..len.div_ceil(CHUNK)).into_par_iter().map(partial).collect();
+    partial.iter().sum()
+}
