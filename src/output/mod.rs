@@ -3,6 +3,7 @@
 //! Owns the formats of everything written. Nothing here knows the solver or how a number was
 //! computed; figures are drawn from tables and frames only.
 
+pub mod figure;
 pub mod file;
 pub mod frame;
 
@@ -10,6 +11,7 @@ pub mod provenance;
 pub mod report;
 pub mod table;
 
+pub use figure::{Axis, Figure, FigureError, Mark, Scale, Series, Slope};
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;
