@@ -4,9 +4,11 @@
 //! live beside their references in `verification/`; nothing here knows the command line.
 
 pub mod claim;
+pub mod report;
 
 #[path = "../../verification/mod.rs"]
 mod claims;
 
 pub use claim::{Claim, Topic, Verdict};
 pub use claims::quick;
+pub use report::Report;

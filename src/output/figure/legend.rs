@@ -3,7 +3,8 @@
 //! Owns its place and its drawing.
 
 use super::canvas::{Anchor, Canvas, Point, text_width};
-use super::curves::{Frame, draw_mark};
+use super::curves::Frame;
+use super::mark::draw_mark;
 use super::model::{Figure, FigureError, Mark};
 use super::palette::{self, PAPER};
 

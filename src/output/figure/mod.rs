@@ -4,6 +4,7 @@ mod axis;
 mod canvas;
 mod curves;
 mod legend;
+mod mark;
 mod model;
 mod palette;
 mod symbol;
