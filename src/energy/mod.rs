@@ -3,6 +3,22 @@
 //! Owns constitutive laws: a tape over invariants is traced once, differentiated by num-dual and
 //! run over blocks of particles. Knows neither particles nor time nor text.
 
+mod error;
+mod graph;
+mod handle;
 mod invariant;
+mod kinematics;
+mod law;
+mod program;
+mod raw;
+mod stretch;
+mod tangent;
+mod trace;
+mod wave;
 
+pub use error::EnergyError;
 pub use invariant::{Invariant, Leaf};
+pub use law::{ConjugateStresses, Directions, Law, Maps, Scratch};
+pub use stretch::{principal, symmetric_eigen};
+pub use tangent::{Kink, Tangent};
+pub use wave::WaveSpeeds;

@@ -2,8 +2,15 @@
 //!
 //! Owns the one form every formula of a `.tissue` file takes once its names are resolved and its
 //! units are gone: energies over invariants, directions and initial fields over coordinates,
-//! records over probes. Knows neither text nor what a leaf means.
+//! records over probes; and how a tape is evaluated in numbers, duals and traced handles. Knows
+//! neither text nor what a leaf means.
 
+pub(crate) mod dual_parts;
+mod evaluate;
+mod number;
+mod scalar;
 mod tape;
 
+pub use number::Number;
+pub use scalar::{Part, Scalar};
 pub use tape::{Comparison, Function, Node, NodeId, Tape};
