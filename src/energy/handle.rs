@@ -149,7 +149,11 @@ impl Scalar for Handle {
             Self::Constant(_) => None,
         });
         let Some(graph) = graph else {
-            return if comparison.holds(left.real(), right.real()) { then.clone() } else { otherwise.clone() };
+            return if comparison.holds(left.real(), right.real()) {
+                then.clone()
+            } else {
+                otherwise.clone()
+            };
         };
         let nodes = all.map(|handle| handle.node_in(graph));
         let result = graph.borrow_mut().select(comparison, nodes);

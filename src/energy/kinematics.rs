@@ -136,8 +136,9 @@ impl Block {
             }
         } else {
             for lane in 0..LANES {
-                self.j[lane] =
-                    f[0][lane] * self.h[0][lane] + f[3][lane] * self.h[3][lane] + f[6][lane] * self.h[6][lane];
+                self.j[lane] = f[0][lane] * self.h[0][lane]
+                    + f[3][lane] * self.h[3][lane]
+                    + f[6][lane] * self.h[6][lane];
             }
         }
     }

@@ -16,6 +16,9 @@ mod tangent;
 mod trace;
 mod wave;
 
+#[cfg(test)]
+mod tests;
+
 pub use error::EnergyError;
 pub use invariant::{Invariant, Leaf};
 pub use law::{ConjugateStresses, Directions, Law, Maps, Scratch};

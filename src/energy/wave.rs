@@ -46,7 +46,12 @@ impl Law {
     ///
     /// # Panics
     /// If `directions` holds fewer than the law reads.
-    pub fn wave_speeds(&self, f: &Mat3, directions: &[Vec3], density: f64) -> Result<WaveSpeeds, EnergyError> {
+    pub fn wave_speeds(
+        &self,
+        f: &Mat3,
+        directions: &[Vec3],
+        density: f64,
+    ) -> Result<WaveSpeeds, EnergyError> {
         let tangent = self.tangent(f, directions, Kink::Taut);
         if !tangent.iter().all(|value| value.is_finite()) {
             return Err(EnergyError::NonFiniteTangent { jacobian: f.determinant() });

@@ -60,7 +60,24 @@ impl Scalar for Number {
     fn select(left: &Self, comparison: Comparison, right: &Self, then: &Self, otherwise: &Self) -> Self {
         if comparison.holds(left.0, right.0) { *then } else { *otherwise }
     }
-    delegate!(reciprocal, sqrt, cbrt, reciprocal_cbrt, exp, exp_m1, ln, sin, cos, tan, tanh, cosh, sinh, erf, pos, step);
+    delegate!(
+        reciprocal,
+        sqrt,
+        cbrt,
+        reciprocal_cbrt,
+        exp,
+        exp_m1,
+        ln,
+        sin,
+        cos,
+        tan,
+        tanh,
+        cosh,
+        sinh,
+        erf,
+        pos,
+        step
+    );
 }
 
 implement_dual_num!(Number);

@@ -1,0 +1,91 @@
+//! What holds of every law, whatever its energy.
+
+use super::{Directions, Invariant, Law, Leaf, Maps, Scratch};
+use crate::expression::{Node, Tape};
+use crate::tensor::{Mat3, Vec3};
+
+/// `Σ invariants` and their products with the next one: every gradient and Hessian entry is alive.
+fn everything() -> Tape<Leaf> {
+    let invariants = [
+        Invariant::I1,
+        Invariant::I2,
+        Invariant::I3,
+        Invariant::J,
+        Invariant::I1Bar,
+        Invariant::I2Bar,
+        Invariant::Stretch(0),
+        Invariant::StretchBar(1),
+        Invariant::Stretch(2),
+        Invariant::I4(0),
+        Invariant::I5(0),
+        Invariant::I4Bar(1),
+        Invariant::I5Bar(1),
+        Invariant::I8(0, 1),
+        Invariant::Green(1, 0),
+        Invariant::Green(0, 0),
+    ];
+    let mut tape = Tape::new();
+    let mut sum = tape.push(Node::Constant(1.0));
+    for pair in invariants.windows(2) {
+        let a = tape.push(Node::Leaf(Leaf::Invariant(pair[0])));
+        let b = tape.push(Node::Leaf(Leaf::Invariant(pair[1])));
+        let product = tape.push(Node::Multiply(a, b));
+        sum = tape.push(Node::Add(sum, product));
+    }
+    tape
+}
+
+fn state() -> (Mat3, [Vec3; 2]) {
+    let f = Mat3::new(1.2, 0.3, -0.1, 0.05, 0.9, 0.2, 0.15, -0.25, 1.1);
+    (f, [Vec3::new(0.6, 0.8, 0.0), Vec3::new(0.0, 0.28, 0.96)])
+}
+
+fn density(law: &Law, f: &Mat3, directions: &[Vec3]) -> f64 {
+    let mut out = [0.0];
+    let maps = Maps { f: &[*f], h: None, j: None };
+    law.density(maps, Directions::Uniform(directions), &mut out, &mut Scratch::default());
+    out[0]
+}
+
+fn stress(law: &Law, f: &Mat3, directions: &[Vec3]) -> Mat3 {
+    let mut out = [Mat3::zeros()];
+    let maps = Maps { f: &[*f], h: None, j: None };
+    law.stress(maps, Directions::Uniform(directions), &mut out, &mut Scratch::default());
+    out[0]
+}
+
+#[test]
+fn stress_and_tangent_of_every_invariant_are_derivatives() {
+    let law = Law::compile(&everything(), &[]).unwrap();
+    let (f, directions) = state();
+    let p = stress(&law, &f, &directions);
+    let tangent = law.tangent(&f, &directions, super::Kink::Slack);
+    let step = 1e-4;
+    for place in 0..9 {
+        let mut e = Mat3::zeros();
+        e.as_mut_slice()[place] = step;
+        let slope =
+            (density(&law, &(f + e), &directions) - density(&law, &(f - e), &directions)) / (2.0 * step);
+        // the third derivative is some 1e2 times p; times step²/6 that is below 1e-6 p
+        assert!((slope - p.as_slice()[place]).abs() < 1e-6 * p.norm(), "{slope} {p}");
+        let change =
+            (stress(&law, &(f + e), &directions) - stress(&law, &(f - e), &directions)) / (2.0 * step);
+        let column = tangent.column(place);
+        let error = change.iter().zip(column.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error < 1e-6 * tangent.norm(), "{place}: {error} of {}", tangent.norm());
+    }
+}
+
+#[test]
+fn a_particles_stress_has_the_same_bits_wherever_it_stands() {
+    let law = Law::compile(&everything(), &[]).unwrap();
+    let (f, directions) = state();
+    let alone = stress(&law, &f, &directions);
+    for count in [2, 15, 16, 17, 40] {
+        let maps: Vec<Mat3> = (0..count).map(|k| f * (1.0 + 0.01 * k as f64)).rev().collect();
+        let mut out = vec![Mat3::zeros(); count];
+        let given = Maps { f: &maps, h: None, j: None };
+        law.stress(given, Directions::Uniform(&directions), &mut out, &mut Scratch::default());
+        assert_eq!(out[count - 1], alone);
+    }
+}
