@@ -52,15 +52,12 @@ use super::particles::Particles;
 use crate::tensor::{Mat3, Vec3};
 use rayon::prelude::*;
 
-/// Leftover of the constraint that is accepted, as a fraction of the squared spacing. The column sums of
-/// some 30 entries below one squared spacing round to about 1e-15 of it.
-const TOLERANCE: f64 = 1e-13;
+/// Leftover of the constraint that is accepted, the root of its sum of squares over particles, as a
+/// fraction of the squared spacing. One column sum of some 30 entries rounds to about 1e-15 of it.
+const TOLERANCE: f64 = 1e-12;
 
-/// Reduction of the residual asked of one run of conjugate gradients; the next run starts from the
-/// residual formed anew.
-const REDUCTION: f64 = 1e-9;
-
-/// Runs of conjugate gradients after which the constraint counts as not met.
+/// Runs of conjugate gradients after which the constraint counts as not met; each starts from the
+/// residual formed anew, because the one carried along drifts.
 const MOST_RUNS: usize = 8;
 
 /// Iterations after which a run of conjugate gradients ends; the condition number grows with the fourth
@@ -105,7 +102,7 @@ pub(super) fn impose(
             let position = particles.position[particle];
             return Err(DiscretisationError::ConstraintNotMet { particle, position, leftover, iterations });
         }
-        let (phi, spent) = system.solve(residual);
+        let (phi, spent) = system.solve(residual, 0.5 * TOLERANCE * scale);
         iterations += spent;
         system.correct(&phi, forward);
     }
@@ -232,25 +229,25 @@ impl<'a> System<'a> {
     }
 
     /// Solves `K φ = residual` by preconditioned conjugate gradients, each component with its own step, and
-    /// returns `φ` and the iterations spent.
-    fn solve(&self, mut residual: Vec<Vec3>) -> (Vec<Vec3>, usize) {
+    /// returns `φ` and the iterations spent. Ends where the norm of each component is at most `tolerance`.
+    fn solve(&self, mut residual: Vec<Vec3>, tolerance: f64) -> (Vec<Vec3>, usize) {
         self.remove_linear(&mut residual);
         let mut phi = vec![Vec3::zeros(); residual.len()];
         let precondition =
             |r: &[Vec3]| -> Vec<Vec3> { r.iter().zip(&self.preconditioner).map(|(r, &m)| r * m).collect() };
-        let small = inner(&residual, &residual) * (REDUCTION * REDUCTION);
+        let small = tolerance * tolerance;
         let mut z = precondition(&residual);
         let mut direction = z.clone();
         let mut rho = inner(&residual, &z);
         for iteration in 0..MOST_ITERATIONS {
             let norm = inner(&residual, &residual);
-            if (0..3).all(|i| norm[i] <= small[i]) {
+            if (0..3).all(|i| norm[i] <= small) {
                 return (phi, iteration);
             }
             let image = self.apply(&direction);
             let curvature = inner(&direction, &image);
             // a component that is done has neither residual nor curvature left
-            let step = Vec3::from_fn(|i, _| if norm[i] <= small[i] { 0.0 } else { rho[i] / curvature[i] });
+            let step = Vec3::from_fn(|i, _| if norm[i] <= small { 0.0 } else { rho[i] / curvature[i] });
             for a in 0..phi.len() {
                 phi[a] += step.component_mul(&direction[a]);
                 residual[a] -= step.component_mul(&image[a]);
