@@ -5,11 +5,14 @@
 
 mod code;
 mod diagnostic;
+mod parse;
 mod position;
+mod scan;
 mod tree;
 
 pub use code::Code;
 pub use diagnostic::{Diagnostic, Label};
+pub use parse::{MAX_EXPRESSION_DEPTH, MAX_FILE_BYTES, MAX_NESTING, decode, parse, parse_expression};
 pub use position::Lines;
 pub use tree::{
     Argument, At, BinaryOperator, Block, Bounds, Entry, Expr, ExprId, ExprKind, Import, ImportFrom, Item,
