@@ -3,9 +3,40 @@
 use super::Claim;
 
 mod closed_forms;
+mod derivatives;
 mod known_values;
 pub(crate) mod laws;
 
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] =
-    &[closed_forms::NEO_HOOKE, known_values::MATRIX_WAVE_SPEED, known_values::HYDROSTATIC];
+pub(crate) const CLAIMS: &[Claim] = &[
+    closed_forms::NEO_HOOKE,
+    derivatives::BY_HAND,
+    derivatives::DIRECT,
+    derivatives::ORDER,
+    derivatives::SYMMETRY,
+    derivatives::OBJECTIVITY,
+    derivatives::STRESS_FREE,
+    known_values::MATRIX_WAVE_SPEED,
+    known_values::HYDROSTATIC,
+    known_values::BLIND_FIBRE,
+    known_values::COMPRESSED_FIBRE,
+    known_values::WAVE_SPEEDS,
+    known_values::FASTEST_WAVE,
+    known_values::PULLED_STRIP,
+];
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_claim_on_energies_holds() {
+        let verdicts: Vec<_> = super::CLAIMS.iter().map(super::Claim::judge).collect();
+        for verdict in &verdicts {
+            println!(
+                "{}: {:.2e} of {:.2e}, control {:.2e}",
+                verdict.claim, verdict.measured, verdict.bound, verdict.control
+            );
+        }
+        let failed: Vec<_> = verdicts.iter().filter(|verdict| !verdict.holds).collect();
+        assert!(failed.is_empty(), "{failed:#?}");
+    }
+}
