@@ -1,1 +1,123 @@
-//! What is live, why, in which order, at what cost.
+//! What is live, why, in which order.
+//!
+//! Owns the decision which fields a scene carries and which passes a stage runs. Drops only what is
+//! identically zero or never read; whatever changes the discrete answer is a line of the scene.
+//! Knows neither text nor grammar.
+
+mod choice;
+mod decide;
+mod render;
+
+pub use choice::{Choice, choices, damping_rate};
+
+use crate::scene::{Formulation, Scene};
+
+/// An array a simulation may carry, one entry a particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Field {
+    /// Current position `x`.
+    Position,
+    /// Linear momentum `p`, carried as the velocity `p/ρR`.
+    Momentum,
+    /// Deformation gradient `F`.
+    DeformationGradient,
+    /// Area map `H`, evolved.
+    AreaMap,
+    /// Volume map `J`, evolved.
+    VolumeMap,
+    /// Directions of the fibres.
+    FibreDirection,
+    /// Directions that vary in space, one set a particle.
+    FibreDirectionField,
+    /// Force per reference volume from tractions and body forces.
+    ExternalForce,
+}
+
+/// A loop of a stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Pass {
+    /// Grips, supports, planes of symmetry.
+    PrescribedMotion,
+    /// `Grad v`, the rate of F (28).
+    VelocityGradient,
+    /// Rate of H (29).
+    AreaMapRate,
+    /// Rate of J (30).
+    VolumeMapRate,
+    /// Stress from the energy.
+    Stress,
+    /// Internal force (32).
+    InternalForce,
+    /// D(p) (33, 35, 37).
+    MomentumDissipation,
+    /// D(J) (34, 36, 38).
+    VolumeDissipation,
+    /// Tractions and body forces (31).
+    ExternalForce,
+    /// Damping relative to the affine motion.
+    AffineDamping,
+    /// Refresh of the wave speeds of (42).
+    WaveSpeed,
+}
+
+/// One line of the plan: what, live or not, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Decision<T> {
+    /// The field or pass.
+    pub what: T,
+    /// Whether the simulation has it.
+    pub live: bool,
+    /// Why.
+    pub reason: String,
+}
+
+/// What a simulation of a scene consists of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Name of the scene.
+    pub scene: String,
+    /// Maps evolved beside p and F.
+    pub formulation: Formulation,
+    /// Every field, live or pruned, with its reason.
+    pub fields: Vec<Decision<Field>>,
+    /// Every pass in order, live or pruned, with its reason.
+    pub passes: Vec<Decision<Pass>>,
+    /// Numerical choices with their origin.
+    pub choices: Vec<Choice>,
+}
+
+impl Plan {
+    /// Decides what a scene needs.
+    ///
+    /// ```text
+    /// live = read by a live pass, an output or the energy, and not identically zero
+    /// ```
+    pub fn new(scene: &Scene) -> Self {
+        decide::plan(scene)
+    }
+
+    /// The same plan with every field and pass live that the scene's formulation defines, for the
+    /// test that pruning changes no number.
+    pub fn unpruned(scene: &Scene) -> Self {
+        let mut plan = Self::new(scene);
+        for decision in &mut plan.fields {
+            decision.live |= decision.what != Field::FibreDirectionField;
+        }
+        for decision in &mut plan.passes {
+            let optional =
+                matches!(decision.what, Pass::ExternalForce | Pass::AreaMapRate | Pass::PrescribedMotion);
+            decision.live |= optional;
+        }
+        plan
+    }
+
+    /// Whether a field is carried.
+    pub fn carries(&self, field: Field) -> bool {
+        self.fields.iter().any(|decision| decision.what == field && decision.live)
+    }
+
+    /// Whether a pass is run.
+    pub fn runs(&self, pass: Pass) -> bool {
+        self.passes.iter().any(|decision| decision.what == pass && decision.live)
+    }
+}

@@ -1,0 +1,118 @@
+//! The numerical choices of a run and where each came from.
+
+use crate::discretisation::{Consistency, Kernel};
+use crate::scene::{Formulation, Integrator, InterfaceStates, Loading, Scene, Scheme};
+
+/// One numerical choice.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Choice {
+    /// Its key in `run { … }`.
+    pub key: &'static str,
+    /// Its value as it would be written.
+    pub value: String,
+    /// Who chose: the file, the scheme or the plan.
+    pub origin: String,
+}
+
+/// Every choice of a scene's run.
+pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
+    let run = &scene.run;
+    let scheme = match run.scheme {
+        Scheme::Seed => "seed",
+        Scheme::Improved => "improved",
+    };
+    let origin = |key: &str| {
+        if run.written.iter().any(|written| written == key) {
+            format!("line {}", run.place.line)
+        } else {
+            format!("scheme {scheme}")
+        }
+    };
+    let mut choices = Vec::new();
+    let mut add = |key: &'static str, value: String| choices.push(Choice { key, value, origin: origin(key) });
+    add("scheme", scheme.into());
+    add(
+        "formulation",
+        match formulation {
+            Formulation::Pf => "pF",
+            Formulation::Pfj => "pFJ",
+            Formulation::Pfhj => "pFHJ",
+        }
+        .into(),
+    );
+    add(
+        "loading",
+        match run.loading {
+            Loading::Dynamic => "dynamic",
+            Loading::QuasiStatic { .. } => "quasi_static",
+        }
+        .into(),
+    );
+    if let Loading::QuasiStatic { .. } = run.loading {
+        add("damping", format!("{:.4e} s^-1", damping_rate(scene)));
+    }
+    add(
+        "integrator",
+        match run.integrator {
+            Integrator::TvdRk2 => "tvd_rk2",
+            Integrator::VelocityVerlet => "velocity_verlet",
+        }
+        .into(),
+    );
+    add("cfl", run.cfl.to_string());
+    add(
+        "kernel",
+        match run.kernel {
+            Kernel::WendlandC2 => "wendland_c2",
+            Kernel::CubicSpline => "cubic_spline",
+        }
+        .into(),
+    );
+    add("smoothing", run.smoothing.to_string());
+    add("integration_consistency", on_off(run.consistency == Consistency::Integration));
+    add(
+        "momentum_dissipation",
+        match run.momentum_dissipation {
+            InterfaceStates::Off => "off",
+            InterfaceStates::Constant => "constant",
+            InterfaceStates::Linear => "linear",
+        }
+        .into(),
+    );
+    add("pressure_wave_weight", run.pressure_wave_weight.to_string());
+    add("shear_wave_weight", run.shear_wave_weight.to_string());
+    add("volume_dissipation", on_off(run.volume_dissipation));
+    add(
+        "wave_speed_every",
+        match run.wave_speed_every {
+            0 => "0 (at rest only)".into(),
+            steps => format!("{steps} steps"),
+        },
+    );
+    choices
+}
+
+fn on_off(on: bool) -> String {
+    if on { "on".into() } else { "off".into() }
+}
+
+/// Damping rate of quasi-static loading, 1/s: the scene's, or a number of oscillations of the
+/// loading time.
+///
+/// ```text
+/// η = 20 / T
+/// ```
+///
+/// The transient of a critically damped mode then dies within a tenth of the loading time `T`,
+/// while the drag of the motion relative to the affine one, of order `ρR η v L`, falls with `T²`
+/// like inertia does. Zero for dynamic loading.
+pub fn damping_rate(scene: &Scene) -> f64 {
+    match scene.run.loading {
+        Loading::Dynamic => 0.0,
+        Loading::QuasiStatic { damping: Some(rate) } => rate,
+        Loading::QuasiStatic { damping: None } => RELAXATIONS / scene.run.until,
+    }
+}
+
+/// Relaxation times of the damping within the loading time.
+const RELAXATIONS: f64 = 20.0;

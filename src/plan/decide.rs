@@ -1,0 +1,255 @@
+//! The decisions, one function each for fields and passes.
+
+use super::{Decision, Field, Pass, Plan, choices};
+use crate::energy::{Invariant, Leaf};
+use crate::scene::{Coordinate, Formulation, InterfaceStates, Loading, Material, Place, Scene};
+
+/// Decides everything about a scene.
+pub(super) fn plan(scene: &Scene) -> Plan {
+    let facts = Facts::new(scene);
+    Plan {
+        scene: scene.name.clone(),
+        formulation: facts.formulation,
+        fields: fields(scene, &facts),
+        passes: passes(scene, &facts),
+        choices: choices(scene, facts.formulation),
+    }
+}
+
+/// What the decisions are made from.
+struct Facts<'a> {
+    formulation: Formulation,
+    why_formulation: String,
+    /// A material whose energy reads H, and the invariant.
+    reads_area_map: Option<&'a Material>,
+    fibrous: Vec<&'a Material>,
+    varying: Option<&'a Material>,
+}
+
+impl<'a> Facts<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let (formulation, why_formulation) = match scene.run.formulation {
+            Some(formulation) => {
+                let who = if scene.run.written.iter().any(|key| key == "formulation") {
+                    line(&scene.run.place)
+                } else {
+                    "chosen by the scheme".into()
+                };
+                (formulation, who)
+            }
+            None if scene.run.volume_dissipation => {
+                (Formulation::Pfj, format!("volume dissipation changes J, {}", line(&scene.run.place)))
+            }
+            None => (
+                Formulation::Pf,
+                "without D(J) the evolved maps equal cof F and det F to second order in the time step".into(),
+            ),
+        };
+        Self {
+            formulation,
+            why_formulation,
+            reads_area_map: scene
+                .materials
+                .iter()
+                .find(|material| invariants(material).any(|i| matches!(i, Invariant::I2 | Invariant::I2Bar))),
+            fibrous: scene
+                .materials
+                .iter()
+                .filter(|material| !used_directions(material).is_empty())
+                .collect(),
+            varying: scene
+                .materials
+                .iter()
+                .find(|material| used_directions(material).iter().any(|&k| varies(material, k))),
+        }
+    }
+}
+
+fn invariants(material: &Material) -> impl Iterator<Item = Invariant> {
+    material.energy.leaves().filter_map(|leaf| match leaf {
+        Leaf::Invariant(invariant) => Some(*invariant),
+        Leaf::Parameter(_) => None,
+    })
+}
+
+/// Indices of the directions an energy reads, ascending.
+fn used_directions(material: &Material) -> Vec<usize> {
+    let mut used: Vec<usize> = invariants(material)
+        .flat_map(|invariant| match invariant {
+            Invariant::I4(a) | Invariant::I5(a) | Invariant::I4Bar(a) | Invariant::I5Bar(a) => {
+                vec![a as usize]
+            }
+            Invariant::I8(a, b) | Invariant::Green(a, b) => vec![a as usize, b as usize],
+            _ => Vec::new(),
+        })
+        .collect();
+    used.sort_unstable();
+    used.dedup();
+    used
+}
+
+fn varies(material: &Material, direction: usize) -> bool {
+    material.directions.get(direction).is_some_and(|direction| {
+        direction.components.iter().any(|tape| tape.leaves().any(|leaf| matches!(leaf, Coordinate::X(_))))
+    })
+}
+
+/// `line 12`, the way a reason points at the scene.
+pub(super) fn line(place: &Place) -> String {
+    format!("line {}", place.line)
+}
+
+fn names<'a>(items: impl Iterator<Item = &'a str>) -> String {
+    let quoted: Vec<String> = items.map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}
+
+fn fields(scene: &Scene, facts: &Facts) -> Vec<Decision<Field>> {
+    let mut list = Vec::new();
+    let mut add = |what, live, reason: String| list.push(Decision { what, live, reason });
+    add(Field::Position, true, "supports, probes and pair directions read x".into());
+    add(Field::Momentum, true, "conserved in every scene".into());
+    add(Field::DeformationGradient, true, "every energy reads F".into());
+    let evolves_h = facts.formulation == Formulation::Pfhj;
+    add(
+        Field::AreaMap,
+        evolves_h,
+        if evolves_h {
+            format!("formulation pFHJ evolves H, {}", facts.why_formulation)
+        } else if let Some(material) = facts.reads_area_map {
+            format!("`{}`, {}, reads H; it is derived as cof F", material.name, line(&material.place))
+        } else {
+            "no energy in the scene names I2; H = cof F is derived where P needs it".into()
+        },
+    );
+    let evolves_j = facts.formulation != Formulation::Pf;
+    add(
+        Field::VolumeMap,
+        evolves_j,
+        if evolves_j {
+            format!("J is evolved: {}", facts.why_formulation)
+        } else {
+            format!("J = det F is derived: {}", facts.why_formulation)
+        },
+    );
+    let isotropic: Vec<&Material> =
+        scene.materials.iter().filter(|m| !facts.fibrous.iter().any(|f| f.name == m.name)).collect();
+    let fibre_reason = match (facts.fibrous.first(), isotropic.first()) {
+        (Some(material), _) => {
+            let count = used_directions(material).len();
+            let plural = if count == 1 { "" } else { "s" };
+            format!("material `{}` reads {count} direction{plural}, {}", material.name, line(&material.place))
+        }
+        (None, Some(material)) => {
+            format!("material `{}` reads no direction, {}", material.name, line(&material.place))
+        }
+        (None, None) => "the scene has no material".into(),
+    };
+    add(Field::FibreDirection, !facts.fibrous.is_empty(), fibre_reason);
+    add(
+        Field::FibreDirectionField,
+        facts.varying.is_some(),
+        match facts.varying {
+            Some(material) => {
+                format!("a direction of `{}` depends on the place, {}", material.name, line(&material.place))
+            }
+            None => "no direction depends on the place".into(),
+        },
+    );
+    add(Field::ExternalForce, !scene.loads.is_empty(), loads_reason(scene));
+    list
+}
+
+fn loads_reason(scene: &Scene) -> String {
+    use crate::scene::Load;
+    match scene.loads.first() {
+        None => "no body force and no traction in the scene".into(),
+        Some(Load::Traction { place, .. } | Load::BodyForce { place, .. } | Load::Gravity { place, .. }) => {
+            let more = scene.loads.len() - 1;
+            if more == 0 { line(place) } else { format!("{} and {more} more", line(place)) }
+        }
+    }
+}
+
+fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
+    let run = &scene.run;
+    let mut list = Vec::new();
+    let mut add = |what, live, reason: String| list.push(Decision { what, live, reason });
+    let symmetric = scene.symmetry.iter().flatten().count();
+    let held = scene.prescribed.len();
+    add(
+        Pass::PrescribedMotion,
+        symmetric + held > 0,
+        match (held, symmetric) {
+            (0, 0) => "no support and no plane of symmetry in the scene".into(),
+            (0, planes) => format!("{planes} planes of symmetry"),
+            (_, 0) => format!("`{}`, {}", scene.prescribed[0].word, line(&scene.prescribed[0].place)),
+            (_, planes) => format!(
+                "`{}`, {}, and {planes} planes of symmetry",
+                scene.prescribed[0].word,
+                line(&scene.prescribed[0].place)
+            ),
+        },
+    );
+    add(Pass::VelocityGradient, true, "the rate of F (28)".into());
+    let pruned_map = "H is derived, not evolved";
+    add(
+        Pass::AreaMapRate,
+        facts.formulation == Formulation::Pfhj,
+        if facts.formulation == Formulation::Pfhj { "the rate of H (29)".into() } else { pruned_map.into() },
+    );
+    add(
+        Pass::VolumeMapRate,
+        facts.formulation != Formulation::Pf,
+        if facts.formulation == Formulation::Pf {
+            "J is derived, not evolved".into()
+        } else {
+            "the rate of J (30)".into()
+        },
+    );
+    add(
+        Pass::Stress,
+        true,
+        format!("energy of {}", names(scene.materials.iter().map(|material| material.name.as_str()))),
+    );
+    add(Pass::InternalForce, true, "momentum balance (32)".into());
+    add(
+        Pass::MomentumDissipation,
+        run.momentum_dissipation != InterfaceStates::Off,
+        match run.momentum_dissipation {
+            InterfaceStates::Off => format!("switched off, {}", line(&run.place)),
+            InterfaceStates::Constant => "removes zero-energy modes; states of the particles (33)".into(),
+            InterfaceStates::Linear => "removes zero-energy modes; states carried to mid-pair (33)".into(),
+        },
+    );
+    add(
+        Pass::VolumeDissipation,
+        run.volume_dissipation,
+        if run.volume_dissipation {
+            "D(J) smooths the pressure (34)".into()
+        } else {
+            "off: D(J) has no restoring force and lets J drift from det F".into()
+        },
+    );
+    add(Pass::ExternalForce, !scene.loads.is_empty(), loads_reason(scene));
+    add(
+        Pass::AffineDamping,
+        matches!(run.loading, Loading::QuasiStatic { .. }),
+        match run.loading {
+            Loading::QuasiStatic { .. } => {
+                format!("loading is quasi-static, {}", line(&run.place))
+            }
+            Loading::Dynamic => "loading is dynamic: inertia is part of the answer".into(),
+        },
+    );
+    add(
+        Pass::WaveSpeed,
+        run.wave_speed_every > 0,
+        if run.wave_speed_every > 0 {
+            format!("the material stiffens; every {} steps (42)", run.wave_speed_every)
+        } else {
+            "speed at rest is kept, as the paper has it (42)".into()
+        },
+    );
+    list
+}
