@@ -1,1 +1,26 @@
 //! Right-hand side, loads, constraints, time stepping.
+//!
+//! Owns the state and its motion. Knows neither text, units nor files.
+
+pub mod affine;
+mod assemble;
+mod body;
+mod constraint;
+mod diagnosis;
+pub mod dissipation;
+mod error;
+pub mod force;
+pub mod kinematics;
+mod links;
+mod loads;
+mod pass;
+mod quad;
+mod simulation;
+
+pub use assemble::{compile, discretise};
+pub use body::{Block, BodyState, CHUNK, DirectionField};
+pub use constraint::Support;
+pub use error::{Cause, SolveError};
+pub use links::{Links, Pair};
+pub use quad::{Columns, Quad};
+pub use simulation::Simulation;

@@ -1,0 +1,208 @@
+//! A plan and its scene made into a simulation.
+//!
+//! Owns set-up: nodes, pairs, compiled laws, supports, initial state. Runs once.
+
+use super::affine::AffineMotion;
+use super::body::{Block, BodyState, CHUNK, DirectionField};
+use super::constraint::Support;
+use super::dissipation::Speeds;
+use super::error::SolveError;
+use super::force::Packet;
+use super::links::Links;
+use super::loads::{ExternalForces, evaluate};
+use super::quad::{Columns, Quad};
+use crate::discretisation::{Particles, Stencils};
+use crate::energy::Law;
+use crate::plan::{Field, Pass, Plan};
+use crate::scene::{Body, Integrator, Material, Scene};
+use crate::tensor::{Mat3, Vec3};
+
+/// A body with what acts on it.
+#[derive(Debug)]
+pub struct Assembled {
+    /// Its state.
+    pub state: BodyState,
+    /// Its affine motion, empty unless loading is quasi-static.
+    pub affine: AffineMotion,
+    /// Its external forces.
+    pub external: ExternalForces,
+}
+
+/// Assembles body number `index` of a scene.
+///
+/// # Errors
+/// If the body cannot be discretised or its material's energy cannot be compiled.
+pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, SolveError> {
+    let body = &scene.bodies[index];
+    let material = &scene.materials[body.material];
+    let particles = discretise(scene, body)?;
+    let law = compile(material)?;
+    let stencils = Stencils::build(&particles, scene.run.kernel, scene.run.smoothing, scene.run.consistency)
+        .map_err(|cause| SolveError::Discretisation { body: body.name.clone(), cause })?;
+    let links = Links::new(&particles, &stencils);
+    let count = particles.position.len();
+    let mut scratch = Vec::new();
+    let directions = directions(material, plan, &particles, &mut scratch);
+    let rest = law
+        .wave_speeds(&Mat3::identity(), directions.of(0), material.density)
+        .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })?;
+    let supports = supports(scene, plan, index, &particles, &mut scratch);
+    let affine = if plan.runs(Pass::AffineDamping) {
+        AffineMotion::new(&supports, bounds(&particles.position))
+    } else {
+        AffineMotion::default()
+    };
+    let external = ExternalForces::new(&scene.loads, index, &particles, material.density);
+    let saves = scene.run.integrator == Integrator::TvdRk2;
+    let has_external = plan.carries(Field::ExternalForce);
+    let velocity = initial_velocity(scene, index, &particles, &mut scratch);
+    let mut state = BodyState {
+        name: body.name.clone(),
+        inverse_volume: particles.volume.iter().map(|volume| 1.0 / volume).collect(),
+        links,
+        density: material.density,
+        law,
+        directions,
+        x: particles.position.iter().map(Quad::new).collect(),
+        saved: if saves { (vec![Quad::ZERO; count], vec![Quad::ZERO; count]) } else { Default::default() },
+        v: velocity,
+        blocks: blocks(count, plan, saves),
+        packets: vec![Packet::default(); count],
+        area_map: if plan.runs(Pass::VolumeDissipation) { vec![Columns::ZERO; count] } else { Vec::new() },
+        acceleration: vec![Quad::ZERO; count],
+        external: if has_external { vec![Quad::ZERO; count] } else { Vec::new() },
+        supports,
+        rest: Speeds { pressure: rest.pressure, shear: rest.shear },
+        fastest: (rest.pressure, 0),
+        particles,
+    };
+    if has_external {
+        external.evaluate(&state.particles.position, 0.0, &mut state.external, &mut scratch);
+    }
+    Ok(Assembled { state, affine, external })
+}
+
+/// Nodes of the modelled part of a body.
+///
+/// # Errors
+/// If its shape cannot be filled at its spacing.
+pub fn discretise(scene: &Scene, body: &Body) -> Result<Particles, SolveError> {
+    let planes = [0, 1, 2].map(|axis| scene.symmetry[axis].as_ref().map(|plane| plane.at));
+    Particles::lattice(&body.shape, body.spacing, planes, body.jitter)
+        .map_err(|cause| SolveError::Discretisation { body: body.name.clone(), cause })
+}
+
+/// The compiled law of a material.
+///
+/// # Errors
+/// If the energy cannot be differentiated.
+pub fn compile(material: &Material) -> Result<Law, SolveError> {
+    let values: Vec<f64> = material.parameters.iter().map(|parameter| parameter.value).collect();
+    Law::compile(&material.energy, &values)
+        .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })
+}
+
+fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
+    let start = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
+    positions.iter().fold(start, |(low, high), x| (low.inf(x), high.sup(x)))
+}
+
+fn blocks(count: usize, plan: &Plan, saves: bool) -> Vec<Block> {
+    (0..count)
+        .step_by(CHUNK)
+        .map(|start| {
+            let len = CHUNK.min(count - start);
+            let mut block = Block {
+                start,
+                f: vec![Mat3::identity(); len],
+                wave_normals: vec![Vec3::zeros(); len],
+                ..Block::default()
+            };
+            if plan.carries(Field::AreaMap) {
+                block.h = vec![Mat3::identity(); len];
+            }
+            if plan.carries(Field::VolumeMap) {
+                block.j = vec![1.0; len];
+            }
+            if plan.runs(Pass::VolumeDissipation) {
+                block.volume_dissipation = vec![0.0; len];
+            }
+            if saves {
+                block.saved = (block.f.clone(), block.h.clone(), block.j.clone());
+            }
+            block
+        })
+        .collect()
+}
+
+fn directions(
+    material: &Material,
+    plan: &Plan,
+    particles: &Particles,
+    scratch: &mut Vec<f64>,
+) -> DirectionField {
+    if !plan.carries(Field::FibreDirection) {
+        return DirectionField::Uniform(Vec::new());
+    }
+    let mut at = |position: &Vec3| -> Vec<Vec3> {
+        let component = |tape, scratch: &mut Vec<f64>| evaluate(tape, position, 0.0, scratch);
+        material
+            .directions
+            .iter()
+            .map(|d| {
+                let [x, y, z] = &d.components;
+                Vec3::new(component(x, scratch), component(y, scratch), component(z, scratch))
+            })
+            .collect()
+    };
+    if plan.carries(Field::FibreDirectionField) {
+        let values = particles.position.iter().flat_map(&mut at).collect();
+        DirectionField::Varying { count: material.directions.len(), values }
+    } else {
+        DirectionField::Uniform(at(&Vec3::zeros()))
+    }
+}
+
+fn supports(
+    scene: &Scene,
+    plan: &Plan,
+    index: usize,
+    particles: &Particles,
+    scratch: &mut Vec<f64>,
+) -> Vec<Support> {
+    let mut supports = Vec::new();
+    if !plan.runs(Pass::PrescribedMotion) {
+        return supports;
+    }
+    let mut add = |face: &str, axis, displacement| {
+        if let Some(found) = particles.face(face) {
+            let (name, nodes) = (face.to_string(), found.nodes.clone());
+            supports.push(Support::new(name, axis, nodes, displacement, &particles.position, scratch));
+        }
+    };
+    for axis in 0..3 {
+        if scene.symmetry[axis].is_some() {
+            add(["symmetry_x", "symmetry_y", "symmetry_z"][axis], axis, None);
+        }
+    }
+    for prescribed in scene.prescribed.iter().filter(|prescribed| prescribed.region.body == index) {
+        for (axis, displacement) in prescribed.displacement.iter().enumerate() {
+            if let Some(tape) = displacement {
+                add(&prescribed.region.face, axis, Some(tape.clone()));
+            }
+        }
+    }
+    supports
+}
+
+fn initial_velocity(scene: &Scene, index: usize, particles: &Particles, scratch: &mut Vec<f64>) -> Vec<Quad> {
+    let mut velocity = vec![Quad::ZERO; particles.position.len()];
+    for start in scene.starts.iter().filter(|start| start.body == index) {
+        for (v, position) in velocity.iter_mut().zip(&particles.position) {
+            for (axis, tape) in start.velocity.iter().enumerate() {
+                v.0[axis] += evaluate(tape, position, 0.0, scratch);
+            }
+        }
+    }
+    velocity
+}

@@ -1,0 +1,203 @@
+//! The state of one body and the constants its passes read.
+//!
+//! Owns the arrays. Knows nothing of how a step is put together.
+
+use super::constraint::Support;
+use super::dissipation::Speeds;
+use super::force::Packet;
+use super::links::Links;
+use super::quad::{Columns, Quad};
+use crate::discretisation::Particles;
+use crate::energy::{Directions, Law, Maps, Scratch};
+use crate::tensor::{Mat3, Vec3};
+
+/// Particles of one unit of parallel work. Fixed, so that no result depends on the thread count.
+pub const CHUNK: usize = 64;
+
+/// Maps of the particles of one chunk; nothing but the chunk itself reads them.
+#[derive(Debug, Clone, Default)]
+pub struct Block {
+    /// First particle.
+    pub start: usize,
+    /// Deformation gradients.
+    pub f: Vec<Mat3>,
+    /// Area maps, empty where derived.
+    pub h: Vec<Mat3>,
+    /// Volume maps, empty where derived.
+    pub j: Vec<f64>,
+    /// D(J) of the last force pass, empty where off, 1/s.
+    pub volume_dissipation: Vec<f64>,
+    /// Copies of `f`, `h`, `j` at the start of a Runge–Kutta step.
+    pub saved: (Vec<Mat3>, Vec<Mat3>, Vec<f64>),
+    /// Direction of the fastest wave of each particle at the last refresh, zero before the first.
+    pub wave_normals: Vec<Vec3>,
+    /// First particle of the chunk whose state is inadmissible.
+    pub failure: Option<Failure>,
+    /// Greatest wave speed in the chunk at the last refresh and its particle, m/s.
+    pub fastest: (f64, usize),
+}
+
+impl Block {
+    /// The maps as the energy reads them.
+    pub fn maps(&self) -> Maps<'_> {
+        Maps {
+            f: &self.f,
+            h: (!self.h.is_empty()).then_some(&self.h[..]),
+            j: (!self.j.is_empty()).then_some(&self.j[..]),
+        }
+    }
+}
+
+/// An inadmissible state found by the stress pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Failure {
+    /// `J ≤ 0`, or not a number, at a particle.
+    Jacobian {
+        /// Index in the body.
+        particle: usize,
+        /// Its `J`.
+        value: f64,
+    },
+    /// The stress is not finite at a particle.
+    Stress {
+        /// Index in the body.
+        particle: usize,
+    },
+}
+
+/// Scratch memory of one thread.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    /// The energy's registers.
+    pub energy: Scratch,
+    /// Stresses of a chunk.
+    pub stress: Vec<Mat3>,
+    /// Numbers of a chunk.
+    pub numbers: Vec<f64>,
+}
+
+/// Unit directions of a body's material.
+#[derive(Debug, Clone)]
+pub enum DirectionField {
+    /// The same everywhere.
+    Uniform(Vec<Vec3>),
+    /// A set a particle, `count` each.
+    Varying {
+        /// Directions a particle.
+        count: usize,
+        /// All of them, particle by particle.
+        values: Vec<Vec3>,
+    },
+}
+
+impl DirectionField {
+    /// The directions of `len` particles from `start` on.
+    pub fn slice(&self, start: usize, len: usize) -> Directions<'_> {
+        match self {
+            Self::Uniform(values) => Directions::Uniform(values),
+            Self::Varying { count, values } => Directions::PerParticle {
+                count: *count,
+                values: &values[start * count..(start + len) * count],
+            },
+        }
+    }
+
+    /// The directions of one particle.
+    pub fn of(&self, particle: usize) -> &[Vec3] {
+        match self {
+            Self::Uniform(values) => values,
+            Self::Varying { count, values } => &values[particle * count..(particle + 1) * count],
+        }
+    }
+}
+
+/// Everything a simulation holds of one body.
+#[derive(Debug)]
+pub struct BodyState {
+    /// Its name.
+    pub name: String,
+    /// Its nodes in the reference configuration.
+    pub particles: Particles,
+    /// `1/V_a`, 1/m³.
+    pub inverse_volume: Vec<f64>,
+    /// Its pairs.
+    pub links: Links,
+    /// `ρR`, kg/m³.
+    pub density: f64,
+    /// Its constitutive law.
+    pub law: Law,
+    /// Its directions.
+    pub directions: DirectionField,
+    /// Current positions, m.
+    pub x: Vec<Quad>,
+    /// Velocities `p/ρR`, m/s.
+    pub v: Vec<Quad>,
+    /// Copies of `x` and `v` at the start of a Runge–Kutta step.
+    pub saved: (Vec<Quad>, Vec<Quad>),
+    /// Maps, chunk by chunk.
+    pub blocks: Vec<Block>,
+    /// Stress and velocity gradient, what neighbours read.
+    pub packets: Vec<Packet>,
+    /// Area maps as neighbours read them, empty without volume dissipation.
+    pub area_map: Vec<Columns>,
+    /// `dp/dt / ρR` of the last evaluation, m/s².
+    pub acceleration: Vec<Quad>,
+    /// External force per reference volume, empty without loads, N/m³.
+    pub external: Vec<Quad>,
+    /// Supports and planes of symmetry.
+    pub supports: Vec<Support>,
+    /// Wave speeds at rest.
+    pub rest: Speeds,
+    /// Greatest wave speed now and its particle, m/s.
+    pub fastest: (f64, usize),
+}
+
+impl BodyState {
+    /// Deformation gradient of a particle.
+    pub fn f(&self, particle: usize) -> &Mat3 {
+        &self.blocks[particle / CHUNK].f[particle % CHUNK]
+    }
+
+    /// Area map of a particle if it is evolved.
+    pub fn h(&self, particle: usize) -> Option<&Mat3> {
+        self.blocks[particle / CHUNK].h.get(particle % CHUNK)
+    }
+
+    /// Volume map of a particle if it is evolved.
+    pub fn j(&self, particle: usize) -> Option<f64> {
+        self.blocks[particle / CHUNK].j.get(particle % CHUNK).copied()
+    }
+
+    /// First Piola–Kirchhoff stress of a particle at the last evaluation, Pa.
+    pub fn stress(&self, particle: usize) -> Mat3 {
+        self.packets[particle].stress.matrix()
+    }
+
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// Whether the body has no particles; never so after assembly.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Bytes of the arrays of the time loop, the pairs included.
+    pub fn bytes(&self) -> usize {
+        let maps: usize = self
+            .blocks
+            .iter()
+            .map(|b| {
+                (b.f.len() + b.h.len() + b.saved.0.len() + b.saved.1.len()) * size_of::<Mat3>()
+                    + (b.j.len() + b.saved.2.len() + b.volume_dissipation.len()) * size_of::<f64>()
+            })
+            .sum();
+        let quads = self.x.len() + self.v.len() + self.saved.0.len() + self.saved.1.len();
+        maps + (quads + self.acceleration.len() + self.external.len()) * size_of::<Quad>()
+            + self.packets.len() * size_of::<Packet>()
+            + self.area_map.len() * size_of::<Columns>()
+            + self.inverse_volume.len() * size_of::<f64>()
+            + self.links.bytes()
+    }
+}

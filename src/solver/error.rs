@@ -1,0 +1,156 @@
+//! Why a simulation stopped.
+
+use crate::discretisation::DiscretisationError;
+use crate::energy::EnergyError;
+use crate::tensor::Vec3;
+use std::fmt;
+
+/// Why a simulation could not be set up or stopped before its end time.
+///
+/// Every variant of a running simulation carries where and when, so that the message alone is
+/// enough to find the failure again.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// A body could not be discretised.
+    Discretisation {
+        /// Name of the body.
+        body: String,
+        /// What was wrong.
+        cause: DiscretisationError,
+    },
+    /// A material's energy could not be compiled or has no usable wave speed.
+    Energy {
+        /// Name of the material.
+        material: String,
+        /// What was wrong.
+        cause: EnergyError,
+    },
+    /// The scene asks for something this solver does not do.
+    Unsupported {
+        /// What it is.
+        what: &'static str,
+        /// What to write instead.
+        instead: &'static str,
+    },
+    /// The volume map left the domain of the energy.
+    NonPositiveJacobian {
+        /// Index of the particle in its body.
+        particle: usize,
+        /// Name of the body.
+        body: String,
+        /// Its reference position, m.
+        position: Vec3,
+        /// Time, s.
+        time: f64,
+        /// The offending value of `J`.
+        jacobian: f64,
+        /// What most likely brought it there.
+        cause: Cause,
+    },
+    /// A number of the state or the stress overflowed or is undefined.
+    NotFinite {
+        /// What is not finite: `stress`, `position`, …
+        quantity: &'static str,
+        /// Index of the particle in its body.
+        particle: usize,
+        /// Name of the body.
+        body: String,
+        /// Its reference position, m.
+        position: Vec3,
+        /// Time, s.
+        time: f64,
+        /// What most likely brought it there.
+        cause: Cause,
+    },
+    /// The stable time step fell below what makes sense.
+    TimeStepTooSmall {
+        /// Index of the particle that asks for it, in its body.
+        particle: usize,
+        /// Name of the body.
+        body: String,
+        /// Its reference position, m.
+        position: Vec3,
+        /// Time, s.
+        time: f64,
+        /// Step required by the CFL condition \[NB25 (42)\], s.
+        required: f64,
+        /// Smallest step allowed, s.
+        allowed: f64,
+    },
+}
+
+/// Likely cause of a failure, told from the state at the time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Cause {
+    /// The time step was above what Verlet or Heun can bear.
+    CourantNumber(f64),
+    /// The volume map drifted from `det F` under D(J), which has no restoring force.
+    VolumeDissipationDrift(f64),
+    /// The load deforms the material faster than pressure waves can spread it.
+    LoadTooFast(f64),
+    /// The fibres were stretched to where the exponential overflows.
+    FibreOverflow(f64),
+    /// Nothing stands out.
+    Unknown,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CourantNumber(cfl) => {
+                write!(f, "the Courant number {cfl} is above the stability limit; write a smaller `cfl`")
+            }
+            Self::VolumeDissipationDrift(gap) => write!(
+                f,
+                "J has drifted {gap:.2e} from det F under volume dissipation, which has no restoring force; \
+                 write `volume_dissipation = off`"
+            ),
+            Self::LoadTooFast(mach) => write!(
+                f,
+                "the load moves at {mach:.2} times the pressure wave speed; load over a longer time"
+            ),
+            Self::FibreOverflow(stretch) => write!(
+                f,
+                "a largest principal stretch of {stretch:.3} drives the energy's exponential out of range; \
+                 pull less far or check the parameters"
+            ),
+            Self::Unknown => write!(
+                f,
+                "no single cause stands out; try a smaller `cfl`, a finer `spacing` or a slower load"
+            ),
+        }
+    }
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Discretisation { body, cause } => write!(f, "body `{body}`: {cause}"),
+            Self::Energy { material, cause } => write!(f, "material `{material}`: {cause}"),
+            Self::Unsupported { what, instead } => write!(f, "{what} is not available; {instead}"),
+            Self::NonPositiveJacobian { particle, body, position: x, time, jacobian, cause } => write!(
+                f,
+                "volume map J = {jacobian:.3e} is not positive at particle {particle} of `{body}`, \
+                 X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: {cause}",
+                x.x, x.y, x.z
+            ),
+            Self::NotFinite { quantity, particle, body, position: x, time, cause } => write!(
+                f,
+                "{quantity} is not finite at particle {particle} of `{body}`, \
+                 X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: {cause}",
+                x.x, x.y, x.z
+            ),
+            Self::TimeStepTooSmall { particle, body, position: x, time, required, allowed } => write!(
+                f,
+                "stable time step {required:.3e} s is below the smallest sensible {allowed:.3e} s at particle \
+                 {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: \
+                 the material has stiffened there beyond what the scene meant",
+                x.x, x.y, x.z
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SolveError {}

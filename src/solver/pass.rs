@@ -1,0 +1,287 @@
+//! The passes of a stage: loops over the particles of a body.
+//!
+//! Owns the order of work within a stage and its division into chunks. Every chunk writes only what
+//! is its own and sums in stencil order, so the result is the same on any number of threads.
+
+use super::body::{Block, BodyState, CHUNK, Failure, Workspace};
+use super::dissipation::Speeds;
+use super::force::{Packet, internal, internal_and_dissipation, volume_dissipation};
+use super::kinematics::{area_map_rate, velocity_gradient, volume_map_rate};
+use super::links::Links;
+use super::quad::{Columns, Quad};
+use crate::scene::InterfaceStates;
+use crate::tensor::{Mat3, cofactor, volume_map};
+use rayon::prelude::*;
+use std::sync::{Mutex, MutexGuard};
+
+/// One workspace a thread, handed out by thread index.
+#[derive(Debug)]
+pub struct Workspaces(Vec<Mutex<Workspace>>);
+
+impl Workspaces {
+    /// As many as the current pool has threads.
+    pub fn new() -> Self {
+        let count = rayon::current_num_threads() + 1;
+        Self((0..count).map(|_| Mutex::new(Workspace::default())).collect())
+    }
+
+    /// The workspace of the calling thread; never contended.
+    pub fn get(&self) -> MutexGuard<'_, Workspace> {
+        let index = rayon::current_thread_index().map_or(self.0.len() - 1, |i| i % (self.0.len() - 1));
+        self.0[index].lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+impl Default for Workspaces {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// First pass: velocity gradients, the maps over a step of length `step` (0 leaves them), stresses.
+///
+/// Verlet advances the maps here with the mid-step velocity; Runge–Kutta passes 0 and advances them
+/// with [`advance_maps`].
+pub fn maps_and_stress(body: &mut BodyState, step: f64, workspaces: &Workspaces) {
+    let BodyState { links, v, inverse_volume, blocks, packets, area_map, law, directions, .. } = body;
+    let (links, v, inverse_volume) = (&*links, &v[..], &inverse_volume[..]);
+    blocks.par_iter_mut().zip(packets.par_chunks_mut(CHUNK)).for_each(|(block, packets)| {
+        velocity_gradients(links, v, inverse_volume, block.start, packets);
+        if step > 0.0 {
+            advance_by_midpoint(block, packets, step);
+        }
+        let workspace = &mut *workspaces.get();
+        workspace.stress.resize(CHUNK, Mat3::zeros());
+        let stress = &mut workspace.stress[..block.f.len()];
+        let at = directions.slice(block.start, block.f.len());
+        law.stress(block.maps(), at, stress, &mut workspace.energy);
+        block.failure = inadmissible(block, stress);
+        for (packet, stress) in packets.iter_mut().zip(stress) {
+            packet.stress = Columns::new(stress);
+        }
+    });
+    if !area_map.is_empty() {
+        area_map.par_chunks_mut(CHUNK).zip(blocks.par_iter()).for_each(|(area_map, block)| {
+            for (i, area) in area_map.iter_mut().enumerate() {
+                *area = Columns::new(&block.h.get(i).copied().unwrap_or_else(|| cofactor(&block.f[i])));
+            }
+        });
+    }
+}
+
+#[inline(always)]
+fn velocity_gradients_of_chunk(
+    links: &Links,
+    velocity: &[Quad],
+    inverse_volume: &[f64],
+    start: usize,
+    packets: &mut [Packet],
+) {
+    for (i, packet) in packets.iter_mut().enumerate() {
+        packet.gradient = velocity_gradient(links, start + i, velocity, inverse_volume[start + i]);
+    }
+}
+
+fn velocity_gradients(
+    links: &Links,
+    velocity: &[Quad],
+    inverse_volume: &[f64],
+    start: usize,
+    packets: &mut [Packet],
+) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        /// The same operations in wider registers; no contraction, so the bits are the same.
+        #[target_feature(enable = "avx2")]
+        fn wide(links: &Links, velocity: &[Quad], inverse: &[f64], start: usize, packets: &mut [Packet]) {
+            velocity_gradients_of_chunk(links, velocity, inverse, start, packets);
+        }
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has the feature, asked for in the line above.
+            return unsafe { wide(links, velocity, inverse_volume, start, packets) };
+        }
+    }
+    velocity_gradients_of_chunk(links, velocity, inverse_volume, start, packets);
+}
+
+/// Advances the maps of a chunk with the velocity gradient of the middle of the step.
+///
+/// With `ΔF = Δt Grad v` the area map moves by `(F + ½ ΔF) ⨯ ΔF`, exactly the change of `cof F`;
+/// the volume map by `½ (H_old + H_new) : ΔF`, the change of `det F` to third order.
+fn advance_by_midpoint(block: &mut Block, packets: &[Packet], step: f64) {
+    for (i, packet) in packets.iter().enumerate() {
+        let change = step * packet.gradient.matrix();
+        let f = block.f[i];
+        let middle = f + 0.5 * change;
+        block.f[i] = f + change;
+        if block.j.is_empty() {
+            continue;
+        }
+        let area = if block.h.is_empty() {
+            cofactor(&middle)
+        } else {
+            let old = block.h[i];
+            block.h[i] = old + area_map_rate(&middle, &change);
+            0.5 * (old + block.h[i])
+        };
+        block.j[i] += volume_map_rate(&area, &change);
+        if let Some(rate) = block.volume_dissipation.get(i) {
+            block.j[i] += step * rate;
+        }
+    }
+}
+
+/// Advances the maps of a body by an explicit Euler stage of length `step`.
+pub fn advance_maps(body: &mut BodyState, step: f64) {
+    let packets = &body.packets;
+    body.blocks.par_iter_mut().for_each(|block| {
+        for i in 0..block.f.len() {
+            let gradient = packets[block.start + i].gradient.matrix();
+            let f = block.f[i];
+            if !block.j.is_empty() {
+                let h = block.h.get(i).copied().unwrap_or_else(|| cofactor(&f));
+                let dissipation = block.volume_dissipation.get(i).copied().unwrap_or(0.0);
+                block.j[i] += step * (volume_map_rate(&h, &gradient) + dissipation);
+            }
+            if !block.h.is_empty() {
+                block.h[i] += step * area_map_rate(&f, &gradient);
+            }
+            block.f[i] = f + step * gradient;
+        }
+    });
+}
+
+/// First particle of a chunk that left the domain of its energy.
+fn inadmissible(block: &Block, stress: &[Mat3]) -> Option<Failure> {
+    (0..block.f.len()).find_map(|i| {
+        let particle = block.start + i;
+        let f = &block.f[i];
+        let value = block.j.get(i).copied().unwrap_or_else(|| volume_map(f, &cofactor(f)));
+        if value.is_nan() || value <= 0.0 || value.is_infinite() {
+            Some(Failure::Jacobian { particle, value })
+        } else if stress[i].iter().any(|component| !component.is_finite()) {
+            Some(Failure::Stress { particle })
+        } else {
+            None
+        }
+    })
+}
+
+/// What the force pass adds up beside the internal force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceTerms {
+    /// Interface states of D(p).
+    pub states: InterfaceStates,
+    /// Weighted wave speeds of D(p), m/s.
+    pub speeds: Speeds,
+    /// Wave speed of D(J), m/s; `None` where it is off.
+    pub volume: Option<f64>,
+}
+
+/// Second pass: `dp/dt / ρR` of every particle, and D(J).
+pub fn forces(body: &mut BodyState, terms: ForceTerms) {
+    let BodyState { links, x, v, inverse_volume, packets, acceleration, external, density, .. } = body;
+    let chunk = ForceChunk { links, x, v, inverse_volume, packets, external, density: *density, terms };
+    acceleration
+        .par_chunks_mut(CHUNK)
+        .enumerate()
+        .for_each(|(index, acceleration)| chunk.accelerations(index * CHUNK, acceleration));
+    if let Some(c_p) = terms.volume {
+        let BodyState { links, x, inverse_volume, packets, area_map, blocks, density, .. } = body;
+        blocks.par_iter_mut().for_each(|block| {
+            for (i, rate) in block.volume_dissipation.iter_mut().enumerate() {
+                let a = block.start + i;
+                *rate = volume_dissipation(links, a, packets, x, area_map, *density, c_p, inverse_volume[a]);
+            }
+        });
+    }
+}
+
+/// What the force loop of a chunk reads.
+struct ForceChunk<'a> {
+    links: &'a Links,
+    x: &'a [Quad],
+    v: &'a [Quad],
+    inverse_volume: &'a [f64],
+    packets: &'a [Packet],
+    external: &'a [Quad],
+    density: f64,
+    terms: ForceTerms,
+}
+
+impl ForceChunk<'_> {
+    fn accelerations(&self, start: usize, out: &mut [Quad]) {
+        #[cfg(target_arch = "x86_64")]
+        {
+            /// The same operations in wider registers; no contraction, so the bits are the same.
+            #[target_feature(enable = "avx2")]
+            fn wide(chunk: &ForceChunk<'_>, start: usize, out: &mut [Quad]) {
+                chunk.sums(start, out);
+            }
+            if std::arch::is_x86_feature_detected!("avx2") {
+                // SAFETY: the processor has the feature, asked for in the line above.
+                return unsafe { wide(self, start, out) };
+            }
+        }
+        self.sums(start, out);
+    }
+
+    #[inline(always)]
+    fn sums(&self, start: usize, out: &mut [Quad]) {
+        let Speeds { pressure, shear } = self.terms.speeds;
+        let impedance = Speeds { pressure: self.density * pressure, shear: self.density * shear };
+        let (links, packets, inverse) = (self.links, self.packets, self.inverse_volume);
+        for (i, out) in out.iter_mut().enumerate() {
+            let a = start + i;
+            *out = match self.terms.states {
+                InterfaceStates::Off => internal(links, a, packets, inverse[a]),
+                InterfaceStates::Constant => internal_and_dissipation::<false>(
+                    links, a, packets, self.x, self.v, impedance, inverse[a],
+                ),
+                InterfaceStates::Linear => {
+                    internal_and_dissipation::<true>(links, a, packets, self.x, self.v, impedance, inverse[a])
+                }
+            };
+            if let Some(&external) = self.external.get(a) {
+                *out += external;
+            }
+            *out = *out * (1.0 / self.density);
+        }
+    }
+}
+
+/// Refreshes the greatest wave speed of a body.
+///
+/// `round` counts the refreshes, see [`crate::energy::Law::wave_speed_block`].
+pub fn wave_speeds(body: &mut BodyState, round: usize, workspaces: &Workspaces) {
+    let BodyState { blocks, law, directions, density, .. } = body;
+    blocks.par_iter_mut().for_each(|block| {
+        let workspace = &mut *workspaces.get();
+        workspace.numbers.resize(CHUNK, 0.0);
+        let speeds = &mut workspace.numbers[..block.f.len()];
+        let at = directions.slice(block.start, block.f.len());
+        let mut normals = std::mem::take(&mut block.wave_normals);
+        let energy = &mut workspace.energy;
+        law.wave_speed_block(block.maps(), at, *density, round, &mut normals, speeds, energy);
+        block.wave_normals = normals;
+        block.fastest = (0.0, block.start);
+        for (i, &speed) in speeds.iter().enumerate() {
+            // a comparison that a NaN wins, so that it is found out instead of dropped
+            if !(speed <= block.fastest.0) {
+                block.fastest = (speed, block.start + i);
+                if speed.is_nan() {
+                    break;
+                }
+            }
+        }
+    });
+    body.fastest = (0.0, 0);
+    for block in &body.blocks {
+        if !(block.fastest.0 <= body.fastest.0) {
+            body.fastest = block.fastest;
+            if block.fastest.0.is_nan() {
+                break;
+            }
+        }
+    }
+}
