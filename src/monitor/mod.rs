@@ -1,1 +1,16 @@
 //! Pure functions from a state to numbers.
+//!
+//! Owns totals, involutions and probes, always of the whole body where planes of symmetry model a
+//! part. Does not know how the state was computed.
+
+mod field;
+mod involution;
+mod point;
+mod probe;
+mod totals;
+
+pub use field::{cauchy_stress, field_value, von_mises};
+pub use involution::{Involutions, involutions};
+pub use point::Interpolation;
+pub use probe::{Observer, ProbeError};
+pub use totals::{Totals, totals};
