@@ -1,0 +1,67 @@
+//! Why a run left no complete result.
+
+use crate::monitor::ProbeError;
+use crate::output::{FrameError, TableError};
+use crate::solver::SolveError;
+use std::fmt;
+use std::io;
+use std::path::PathBuf;
+
+/// Why a run stopped.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The simulation could not be set up or went wrong.
+    Solve(SolveError),
+    /// A record asks for a place that is not there.
+    Probe(ProbeError),
+    /// A table could not be written.
+    Table(TableError),
+    /// A frame could not be written.
+    Frame(FrameError),
+    /// A file could not be written.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system reported.
+        cause: io::Error,
+    },
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Solve(cause) => write!(f, "{cause}"),
+            Self::Probe(cause) => write!(f, "{cause}"),
+            Self::Table(cause) => write!(f, "{cause}"),
+            Self::Frame(cause) => write!(f, "{cause}"),
+            Self::Io { path, cause } => write!(f, "cannot write {}: {cause}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for RunError {}
+
+impl From<SolveError> for RunError {
+    fn from(cause: SolveError) -> Self {
+        Self::Solve(cause)
+    }
+}
+
+impl From<ProbeError> for RunError {
+    fn from(cause: ProbeError) -> Self {
+        Self::Probe(cause)
+    }
+}
+
+impl From<TableError> for RunError {
+    fn from(cause: TableError) -> Self {
+        Self::Table(cause)
+    }
+}
+
+impl From<FrameError> for RunError {
+    fn from(cause: FrameError) -> Self {
+        Self::Frame(cause)
+    }
+}

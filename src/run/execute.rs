@@ -1,0 +1,248 @@
+//! The loop of a run.
+//!
+//! Owns the order step, sample, write. Tables grow on disk row by row and frames are whole files,
+//! so whatever ends the run, what was computed before it is readable.
+
+use super::error::RunError;
+use super::expect::judge_all;
+use super::schedule::Schedule;
+use super::snapshot::frame;
+use crate::monitor::{Observer, totals};
+use crate::output::file::write_atomic;
+use crate::output::report::{Choice, RunStatus, TotalChange};
+use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableWriter};
+use crate::plan::Plan;
+use crate::scene::{Column, Frames, Record, Scene};
+use crate::solver::{Simulation, SolveError};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// What to run, and where to.
+#[derive(Debug)]
+pub struct Job<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// What every file says of its origin.
+    pub provenance: Provenance,
+    /// An existing folder to write to; `None` keeps everything in memory.
+    pub folder: Option<PathBuf>,
+}
+
+/// What a run left behind.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The report, also written as `run.json`.
+    pub report: RunReport,
+    /// The tables, also written as CSV.
+    pub tables: Vec<Table>,
+    /// Why the run stopped early, if it did.
+    pub failure: Option<SolveError>,
+}
+
+/// Who watches a run.
+pub trait Progress {
+    /// Called after every step with the steps taken, the time, the last step and the end, all s.
+    fn step(&mut self, steps: u64, time: f64, step: f64, end: f64);
+}
+
+impl Progress for () {
+    fn step(&mut self, _: u64, _: f64, _: f64, _: f64) {}
+}
+
+/// Runs a scene to its end or its failure.
+///
+/// # Errors
+/// If it cannot be set up, or a file cannot be written. A simulation that goes wrong on the way is
+/// no error here but [`Outcome::failure`], with everything before it written.
+pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, RunError> {
+    let clock = Instant::now();
+    let mut simulation = Simulation::new(job.scene, job.plan)?;
+    let scene = job.scene;
+    let tapes = scene.records.iter().flat_map(|record| record.columns.iter().map(|column| &column.value));
+    let observer = Observer::new(scene, simulation.bodies(), tapes)?;
+    let before = totals(simulation.bodies(), &scene.symmetry);
+    let mut records = Vec::new();
+    for record in &scene.records {
+        records.push(Recording::new(job, record)?);
+    }
+    let mut frames: Vec<Filming<'_>> = scene.frames.iter().map(|frames| Filming::new(job, frames)).collect();
+    let setup = clock.elapsed();
+    let mut failure = None;
+    loop {
+        let time = simulation.time();
+        for recording in &mut records {
+            recording.sample(&simulation, &observer, time)?;
+        }
+        for filming in &mut frames {
+            filming.sample(&simulation, time)?;
+        }
+        let due = records.iter().map(|r| &r.schedule).chain(frames.iter().map(|f| &f.schedule));
+        let next = due.filter_map(Schedule::next).fold(scene.run.until, f64::min);
+        if time >= scene.run.until {
+            break;
+        }
+        match advance(&mut simulation, next, scene.run.until, progress) {
+            Ok(()) => {}
+            Err(cause) => {
+                failure = Some(cause);
+                break;
+            }
+        }
+    }
+    let wall = (clock.elapsed() - setup).as_secs_f64();
+    let after = totals(simulation.bodies(), &scene.symmetry);
+    let tables: Vec<Table> = records.into_iter().map(|recording| recording.table).collect();
+    let expectations = judge_all(&scene.expectations, &tables);
+    let status = match &failure {
+        Some(cause) => RunStatus::Stopped { cause: cause.to_string() },
+        None if expectations.iter().all(|verdict| verdict.holds) => RunStatus::Held,
+        None => RunStatus::ExpectationFailed,
+    };
+    let updates = simulation.particles() as f64 * simulation.evaluations() as f64;
+    let mut report = RunReport {
+        provenance: job.provenance.clone(),
+        plan: job.plan.to_string().lines().map(String::from).collect(),
+        choices: job.plan.choices.iter().map(choice).collect(),
+        particles: simulation.particles() as u64,
+        steps: simulation.steps(),
+        evaluations: simulation.evaluations(),
+        end_time: simulation.time(),
+        wall_seconds: wall,
+        updates_per_second: updates / wall.max(f64::MIN_POSITIVE),
+        totals: total_changes(&before, &after),
+        expectations,
+        files: Vec::new(),
+        status,
+    };
+    report.files = tables.iter().map(|table| format!("{}.csv", table.name)).collect();
+    for filming in &frames {
+        report.files.push(format!("{}.pvd", filming.frames.name));
+        report.files.extend(filming.collection.frames.iter().map(|(_, file)| file.clone()));
+    }
+    Ok(Outcome { report, tables, failure })
+}
+
+fn advance(
+    simulation: &mut Simulation,
+    next: f64,
+    until: f64,
+    progress: &mut dyn Progress,
+) -> Result<(), SolveError> {
+    loop {
+        let reached = simulation.step_towards(next)?;
+        progress.step(simulation.steps(), simulation.time(), simulation.last_step(), until);
+        if reached {
+            return Ok(());
+        }
+    }
+}
+
+fn choice(choice: &crate::plan::Choice) -> Choice {
+    Choice { key: choice.key.into(), value: choice.value.clone(), why: choice.origin.clone() }
+}
+
+fn total_changes(before: &crate::monitor::Totals, after: &crate::monitor::Totals) -> Vec<TotalChange> {
+    let change =
+        |name: String, unit: &str, start: f64, end: f64| TotalChange { name, unit: unit.into(), start, end };
+    let mut changes = Vec::new();
+    for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        let (start, end) = (before.momentum[axis], after.momentum[axis]);
+        changes.push(change(format!("momentum_{letter}"), "kg m/s", start, end));
+    }
+    for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        let (start, end) = (before.angular_momentum[axis], after.angular_momentum[axis]);
+        changes.push(change(format!("angular_momentum_{letter}"), "kg m^2/s", start, end));
+    }
+    changes.push(change("kinetic_energy".into(), "J", before.kinetic_energy, after.kinetic_energy));
+    changes.push(change("strain_energy".into(), "J", before.strain_energy, after.strain_energy));
+    changes.push(change("volume".into(), "m^3", before.volume, after.volume));
+    changes
+}
+
+/// A record on its way to a table.
+struct Recording<'a> {
+    record: &'a Record,
+    schedule: Schedule,
+    table: Table,
+    writer: Option<TableWriter<File>>,
+}
+
+impl<'a> Recording<'a> {
+    fn new(job: &Job<'_>, record: &'a Record) -> Result<Self, RunError> {
+        let mut columns = vec![TableColumn::new("t", "s", "time")];
+        columns.extend(
+            record.columns.iter().map(|Column { name, unit, text, .. }| TableColumn::new(name, unit, text)),
+        );
+        let table = Table {
+            name: record.name.clone(),
+            columns,
+            rows: Vec::new(),
+            provenance: job.provenance.lines(),
+        };
+        let writer = match &job.folder {
+            None => None,
+            Some(folder) => {
+                let path = folder.join(format!("{}.csv", record.name));
+                let file = File::create(&path).map_err(|cause| RunError::Io { path, cause })?;
+                Some(TableWriter::new(file, &table)?)
+            }
+        };
+        Ok(Self { record, schedule: Schedule::new(record.every, job.scene.run.until), table, writer })
+    }
+
+    fn sample(&mut self, simulation: &Simulation, observer: &Observer, time: f64) -> Result<(), RunError> {
+        if self.schedule.next() != Some(time) {
+            return Ok(());
+        }
+        self.schedule.advance();
+        let tapes = self.record.columns.iter().map(|column| &column.value);
+        let mut row = vec![time];
+        row.extend(observer.evaluate(simulation, tapes));
+        if let Some(writer) = &mut self.writer {
+            writer.append(&row)?;
+        }
+        self.table.rows.push(row);
+        Ok(())
+    }
+}
+
+/// A series of frames on its way to files.
+struct Filming<'a> {
+    frames: &'a Frames,
+    schedule: Schedule,
+    collection: Collection,
+    folder: Option<&'a Path>,
+    provenance: Vec<String>,
+}
+
+impl<'a> Filming<'a> {
+    fn new(job: &'a Job<'_>, frames: &'a Frames) -> Self {
+        let provenance = job.provenance.lines();
+        Self {
+            frames,
+            schedule: Schedule::new(frames.every, job.scene.run.until),
+            collection: Collection { provenance: provenance.clone(), ..Collection::default() },
+            folder: job.folder.as_deref(),
+            provenance,
+        }
+    }
+
+    fn sample(&mut self, simulation: &Simulation, time: f64) -> Result<(), RunError> {
+        if self.schedule.next() != Some(time) {
+            return Ok(());
+        }
+        self.schedule.advance();
+        let Some(folder) = self.folder else { return Ok(()) };
+        let write = |name: &str, text: String| {
+            let path = folder.join(name);
+            write_atomic(&path, text.as_bytes()).map_err(|cause| RunError::Io { path, cause })
+        };
+        let name = self.collection.next_name(&self.frames.name);
+        write(&name, frame(simulation, &self.frames.values, &self.provenance).to_vtu()?)?;
+        self.collection.frames.push((time, name));
+        write(&format!("{}.pvd", self.frames.name), self.collection.to_pvd())
+    }
+}

@@ -1,0 +1,208 @@
+//! Expectations judged on the tables of a run.
+//!
+//! Owns the reading of an `expect` line; it sees tables only, never the state they came from.
+
+use super::interpolate::{crossing, reference_value};
+use crate::expression::Tape;
+use crate::output::Table;
+use crate::output::report::ExpectationVerdict;
+use crate::scene::{Expectation, Judgement, Reference, Relation, Sample, Tolerance};
+
+/// Judges every expectation.
+pub fn judge_all(expectations: &[Expectation], tables: &[Table]) -> Vec<ExpectationVerdict> {
+    expectations.iter().map(|expectation| judge(expectation, tables)).collect()
+}
+
+/// Judges one expectation.
+///
+/// For an equality the measured value is the distance of the two sides and the bound the tolerance;
+/// for an inequality the measured value is the left side and the bound the right. Of several
+/// abscissae the worst is reported.
+pub fn judge(expectation: &Expectation, tables: &[Table]) -> ExpectationVerdict {
+    let mut verdict = ExpectationVerdict {
+        text: expectation.text.clone(),
+        place: format!("{}:{}", expectation.place.file, expectation.place.line),
+        measured: None,
+        bound: 0.0,
+        unit: String::new(),
+        holds: false,
+        note: String::new(),
+    };
+    match &expectation.judgement {
+        Judgement::Compare { left, relation, right, tolerance, at, unit } => {
+            verdict.unit.clone_from(unit);
+            let places: Vec<Option<At<'_>>> = match at {
+                None => vec![None],
+                Some((record, column, values)) => {
+                    values.iter().map(|&value| Some(At { record, column, value })).collect()
+                }
+            };
+            let mut worst: Option<Measured> = None;
+            for place in places {
+                match measure(left, *relation, right, *tolerance, place.as_ref(), tables) {
+                    Ok(measured) => {
+                        if worst.as_ref().is_none_or(|w| !(measured.excess <= w.excess)) {
+                            worst = Some(measured);
+                        }
+                    }
+                    Err(reason) => {
+                        verdict.note = reason;
+                        return verdict;
+                    }
+                }
+            }
+            if let Some(worst) = worst {
+                if matches!(tolerance, Some(Tolerance::Relative(_))) {
+                    verdict.unit.clear();
+                }
+                verdict.measured = Some(worst.value);
+                verdict.bound = worst.bound;
+                verdict.holds = worst.holds;
+                verdict.note = worst.note;
+            }
+        }
+        Judgement::NeverGrows { record, column } => match column_of(tables, record, column) {
+            Err(reason) => verdict.note = reason,
+            Ok(values) => {
+                let (growth, scale, row) = growth(&values);
+                verdict.measured = Some(growth);
+                verdict.bound = values.len() as f64 * f64::EPSILON * scale;
+                verdict.holds = growth <= verdict.bound;
+                verdict.note = format!("largest rise above the running minimum in row {row}");
+            }
+        },
+    }
+    verdict
+}
+
+/// Largest rise above the running minimum, the largest magnitude, and the row of the rise.
+fn growth(values: &[f64]) -> (f64, f64, usize) {
+    let (mut least, mut worst, mut scale, mut at) = (f64::INFINITY, 0.0, 0.0_f64, 0);
+    for (row, &value) in values.iter().enumerate() {
+        if value.is_nan() {
+            return (f64::NAN, scale, row);
+        }
+        scale = scale.max(value.abs());
+        if value - least > worst {
+            worst = value - least;
+            at = row;
+        }
+        least = least.min(value);
+    }
+    (worst, scale, at)
+}
+
+/// Where both sides are read.
+struct At<'a> {
+    record: &'a str,
+    column: &'a str,
+    value: f64,
+}
+
+/// One comparison.
+struct Measured {
+    value: f64,
+    bound: f64,
+    holds: bool,
+    /// By how much the bound is missed, negative where it holds; orders several places.
+    excess: f64,
+    note: String,
+}
+
+fn measure(
+    left: &Tape<Sample>,
+    relation: Relation,
+    right: &Tape<Sample>,
+    tolerance: Option<Tolerance>,
+    at: Option<&At<'_>>,
+    tables: &[Table],
+) -> Result<Measured, String> {
+    let left = side(left, at, tables)?;
+    let right = side(right, at, tables)?;
+    let place =
+        at.map_or_else(String::new, |at| format!(" at {}.{} = {:.6e}", at.record, at.column, at.value));
+    let note = format!("{left:.6e} against {right:.6e}{place}");
+    let compare =
+        |holds: bool, excess: f64| Measured { value: left, bound: right, holds, excess, note: note.clone() };
+    Ok(match relation {
+        Relation::Less => compare(left < right, left - right),
+        Relation::LessEqual => compare(left <= right, left - right),
+        Relation::Greater => compare(left > right, right - left),
+        Relation::GreaterEqual => compare(left >= right, right - left),
+        Relation::Equal => {
+            let (value, bound) = match tolerance {
+                Some(Tolerance::Relative(share)) => ((left - right).abs() / right.abs(), share),
+                Some(Tolerance::Absolute(bound)) => ((left - right).abs(), bound),
+                None => ((left - right).abs(), 0.0),
+            };
+            Measured { value, bound, holds: value <= bound, excess: value - bound, note }
+        }
+    })
+}
+
+/// Value of one side; the first sample that cannot be read is the error.
+fn side(tape: &Tape<Sample>, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, String> {
+    let mut failure = None;
+    let value = tape.evaluate(
+        |sample| {
+            read(sample, at, tables).unwrap_or_else(|reason| {
+                failure.get_or_insert(reason);
+                f64::NAN
+            })
+        },
+        &mut Vec::new(),
+    );
+    failure.map_or(Ok(value), Err)
+}
+
+fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, String> {
+    let fold = |record: &str, column: &str, better: fn(f64, f64) -> bool| {
+        let values = column_of(tables, record, column)?;
+        let pick = |old: f64, new: f64| if better(new, old) || new.is_nan() { new } else { old };
+        values.into_iter().reduce(pick).ok_or_else(|| format!("`{record}` has no rows"))
+    };
+    match sample {
+        Sample::Max { record, column } => fold(record, column, |new, old| new > old),
+        Sample::Min { record, column } => fold(record, column, |new, old| new < old),
+        Sample::Initial { record, column } => fold(record, column, |_, _| false),
+        Sample::Final { record, column } => fold(record, column, |_, _| true),
+        Sample::Column { record, column } => {
+            let at = at.ok_or_else(|| format!("`{record}.{column}` needs an `at`"))?;
+            let y = column_of(tables, record, column)?;
+            // a column of another record is read where time takes the value it has there
+            let x = column_of(tables, at.record, at.column)?;
+            let value = if record == at.record {
+                crossing(&x, &y, at.value)
+            } else {
+                let there = column_of(tables, at.record, "t")?;
+                let time = crossing(&x, &there, at.value);
+                let own = column_of(tables, record, "t")?;
+                time.and_then(|time| crossing(&own, &y, time))
+            };
+            value.ok_or_else(|| {
+                format!("`{}.{}` never takes the value {:.6e}", at.record, at.column, at.value)
+            })
+        }
+        Sample::Reference { reference, column } => {
+            let at = at.ok_or_else(|| format!("`{column}` of {} needs an `at`", reference.path))?;
+            let x = reference_column(reference, at.column)?;
+            let y = reference_column(reference, column)?;
+            reference_value(x, y, at.value).ok_or_else(|| {
+                format!("{} has no {} = {:.6e} between its rows", reference.path, at.column, at.value)
+            })
+        }
+    }
+}
+
+fn column_of(tables: &[Table], record: &str, column: &str) -> Result<Vec<f64>, String> {
+    tables
+        .iter()
+        .find(|table| table.name == record)
+        .and_then(|table| table.column(column))
+        .ok_or_else(|| format!("no column `{record}.{column}` was recorded"))
+}
+
+fn reference_column<'a>(reference: &'a Reference, column: &str) -> Result<&'a [f64], String> {
+    let found = reference.columns.iter().find(|(name, _)| name == column);
+    found.map(|(_, values)| &values[..]).ok_or_else(|| format!("{} has no column `{column}`", reference.path))
+}
