@@ -21,6 +21,7 @@ pub mod scene;
 
 pub mod plan;
 
+pub mod drive;
 pub mod solver;
 
 pub mod monitor;

@@ -10,6 +10,7 @@ mod benchmarks;
 mod conservation;
 mod consistency;
 mod discretisation;
+mod drive;
 mod energies;
 
 /// The claims that together take seconds; `cargo test` holds every one of them.
@@ -19,6 +20,7 @@ pub fn quick() -> Vec<Claim> {
         discretisation::CLAIMS,
         conservation::CLAIMS,
         consistency::CLAIMS,
+        drive::CLAIMS,
         benchmarks::CLAIMS,
     ];
     groups.concat()
