@@ -3,6 +3,24 @@
 //! Owns meaning: SI numbers, proved dimensions, every name resolved, all mistakes collected. Knows
 //! neither the solver nor files written.
 
+mod blocks;
+mod energies;
+mod evaluate;
+mod file;
+mod graph;
+mod library;
+mod loader;
+mod materials;
+mod members;
 mod model;
+mod resolve;
+mod scenes;
+mod session;
+mod words;
 
+pub use file::Mistake;
+pub use library::{LibraryFile, library};
+pub use loader::{FileSystem, LoadError, Loader, Memory};
 pub use model::*;
+pub use resolve::resolve;
+pub use words::vocabulary;

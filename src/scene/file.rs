@@ -1,0 +1,117 @@
+//! A parsed file and the list of mistakes.
+//!
+//! Owns the place of a span and the collecting of mistakes from several files.
+
+use super::model::Place;
+use crate::syntax::{Code, Diagnostic, ExprId, Lines, Source, Span, SyntaxTree};
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A parsed file.
+#[derive(Debug)]
+pub(super) struct File {
+    pub(super) source: Arc<Source>,
+    pub(super) tree: SyntaxTree,
+    /// Whether the text itself had mistakes; names may then be missing through no fault of their user.
+    pub(super) damaged: bool,
+}
+
+impl File {
+    /// The text of a span.
+    pub(super) fn text(&self, span: &Span) -> &str {
+        self.source.text.get(span.clone()).unwrap_or("")
+    }
+
+    /// The text of an expression.
+    pub(super) fn expression(&self, id: ExprId) -> &str {
+        self.text(&self.tree.expr(id).span)
+    }
+
+    /// Where an expression stands.
+    pub(super) fn span(&self, id: ExprId) -> Span {
+        self.tree.expr(id).span.clone()
+    }
+
+    /// Line and column of a span.
+    pub(super) fn place(&self, span: &Span) -> Place {
+        let (line, column) = Lines::new(&self.source.text).position(span.start);
+        Place { file: self.source.name.clone(), line: line as u32, column: column as u32 }
+    }
+}
+
+/// A mistake and the file it lies in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mistake {
+    /// The file.
+    pub source: Arc<Source>,
+    /// The mistake.
+    pub diagnostic: Diagnostic,
+}
+
+impl Mistake {
+    /// Draws the mistake with the lines it marks.
+    pub fn render(&self) -> String {
+        self.diagnostic.render(&self.source)
+    }
+}
+
+/// A mistake has been reported; there is no value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Reported;
+
+/// The mistakes found so far.
+#[derive(Debug, Default)]
+pub(super) struct Mistakes {
+    list: Vec<Mistake>,
+}
+
+impl Mistakes {
+    /// Adds a mistake; one that has been reported before (a `let` used twice) is not repeated.
+    pub(super) fn push(&mut self, file: &File, diagnostic: Diagnostic) -> Reported {
+        // What a damaged part of the file would have declared is unknown, so its absence proves nothing.
+        let absence = matches!(
+            diagnostic.code,
+            Code::UnknownName
+                | Code::UnknownImport
+                | Code::MissingKey
+                | Code::UnknownArgument
+                | Code::MissingArgument
+        );
+        let mistake = Mistake { source: Arc::clone(&file.source), diagnostic };
+        if !(absence && file.damaged) && !self.list.contains(&mistake) {
+            self.list.push(mistake);
+        }
+        Reported
+    }
+
+    /// Adds a mistake at one place.
+    pub(super) fn report(
+        &mut self,
+        file: &File,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: Option<String>,
+    ) -> Reported {
+        let mut diagnostic = Diagnostic::new(code, message, span, label);
+        diagnostic.help = help;
+        self.push(file, diagnostic)
+    }
+
+    /// The number of mistakes so far.
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// All mistakes: those of the first file before those of its imports, each file's in the order of its text.
+    pub(super) fn finish(mut self, first: &Rc<File>) -> Vec<Mistake> {
+        let start = |mistake: &Mistake| mistake.diagnostic.labels.first().map_or(0, |label| label.span.start);
+        self.list.sort_by(|a, b| {
+            let rank =
+                |mistake: &Mistake| (mistake.source.name != first.source.name, mistake.source.name.clone());
+            rank(a).cmp(&rank(b)).then(start(a).cmp(&start(b)))
+        });
+        self.list
+    }
+}

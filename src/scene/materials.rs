@@ -1,0 +1,311 @@
+//! Materials: an energy with numbers, a density and directions.
+//!
+//! Owns the giving of arguments to energies. Knows no scene.
+
+mod directions;
+mod term;
+
+use super::energies::EnergyDef;
+use super::evaluate::{
+    Elsewhere, Evaluator, Leaves, Lets, Outcome, Required, Scalar, Scope, Value, place_word,
+};
+use super::file::{File, Mistakes, Reported};
+use super::members::{Members, Overrides, ParamEntry, ParameterDef, Site, within};
+use super::model::{Coordinate, Direction, Material, MaterialParameter};
+use super::words::{FRAME, MATERIAL};
+use crate::energy::Leaf;
+use crate::expression::Tape;
+use crate::syntax::{Argument, Block, Code, Diagnostic, Name, Span};
+use crate::unit::{Dimension, Quantity};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+pub(super) use term::Energies;
+
+/// A parameter of the material itself.
+struct Own {
+    name: String,
+    value: f64,
+    dimension: Dimension,
+}
+
+/// Reads a material.
+///
+/// # Errors
+/// [`Reported`] if anything is wrong with it.
+pub(super) fn read(
+    mistakes: &mut Mistakes,
+    file: &Rc<File>,
+    block: &Block,
+    name: &Name,
+    energies: &Energies,
+    overrides: &Overrides,
+) -> Result<Material, Reported> {
+    let before = mistakes.len();
+    let members = Members::read_with(mistakes, file, &MATERIAL, block, overrides, &[&name.text]);
+    let lets = Lets::new(members.lets.clone());
+    let own = parameters(mistakes, file, &members, &lets, overrides, &name.text);
+    let frame = frame(mistakes, file, &members);
+    let density = density(mistakes, file, block, &members, &lets, &own);
+    let mut directions = directions::read(mistakes, file, &members, &lets, &own, &frame);
+    let energy = members.required(mistakes, file, &MATERIAL, block, "energy");
+    let (density, directions, energy) =
+        (density?, directions.as_mut().map_err(|reported| *reported)?, energy?);
+
+    let mut evaluator = Evaluator::<Leaf>::new(mistakes);
+    evaluator.parameters = own.iter().map(|own| own.value).collect();
+    let fibres: Vec<String> = members.fibre.iter().map(|(name, _)| name.text.clone()).collect();
+    let scope = MaterialScope {
+        file: Rc::clone(file),
+        own: &own,
+        lets: lets.fresh(),
+        directions: Named::Indices { fibres: &fibres, frame: &frame, used: RefCell::default() },
+    };
+    let listed: Vec<MaterialParameter> = own
+        .iter()
+        .map(|own| MaterialParameter {
+            name: own.name.clone(),
+            value: own.value,
+            unit: own.dimension.si_symbol(),
+        })
+        .collect();
+    let written = Elsewhere { outer: &scope, file: Rc::clone(&energy.file) };
+    let mut sum = term::Sum::new(&written, energies, &name.text, fibres.len(), listed);
+    sum.add(&mut evaluator, energy.id);
+    let (total, terms, parameters) = sum.finish();
+    let total = total?;
+    let tape = evaluator.tape(total);
+    let Named::Indices { used, .. } = scope.directions else { return Err(Reported) };
+    let directions = directions.named(fibres.iter().chain(&used.into_inner()));
+    volumetric(mistakes, &energy, &tape, &terms)?;
+    if mistakes.len() > before {
+        return Err(Reported);
+    }
+    Ok(Material {
+        name: name.text.clone(),
+        place: file.place(&block.kind.span),
+        density,
+        energy: tape,
+        parameters,
+        terms,
+        directions,
+    })
+}
+
+/// The parameters of the material itself, with those given on the command line.
+fn parameters(
+    mistakes: &mut Mistakes,
+    file: &Rc<File>,
+    members: &Members,
+    lets: &Lets,
+    overrides: &Overrides,
+    material: &str,
+) -> Vec<Own> {
+    let mut own: Vec<Own> = Vec::new();
+    for entry in &members.parameters {
+        let Ok(parameter) = ParameterDef::read(mistakes, file, entry) else { continue };
+        let value = parameter_value(mistakes, file, entry, &parameter, (lets, &own), overrides, material);
+        // A parameter without a value stays known, so that its uses are no further mistakes.
+        let value = value.unwrap_or(f64::NAN);
+        own.push(Own { name: parameter.name.text.clone(), value, dimension: parameter.dimension });
+    }
+    own
+}
+
+fn parameter_value(
+    mistakes: &mut Mistakes,
+    file: &Rc<File>,
+    entry: &ParamEntry,
+    parameter: &ParameterDef,
+    (lets, own): (&Lets, &[Own]),
+    overrides: &Overrides,
+    material: &str,
+) -> Result<f64, Reported> {
+    let name = &parameter.name.text;
+    if let Some(count) = &parameter.count {
+        let message = "an array can be a parameter of an energy, not of a material";
+        return Err(mistakes.report(file, Code::WrongForm, count.span.clone(), message, "", None));
+    }
+    let given = overrides.find(&[material], name);
+    let written = entry.default.map(|id| Site { file: Rc::clone(file), id });
+    let Some(site) = given.or(written) else {
+        let example = super::evaluate::example_with_unit("1", parameter.dimension);
+        let message = format!("the parameter `{name}` of a material needs a value");
+        let help =
+            format!("write `param {name} : {} = {example}` with the value that is meant", parameter.written);
+        return Err(mistakes.report(
+            file,
+            Code::MissingArgument,
+            entry.name.span.clone(),
+            message,
+            "no value",
+            Some(help),
+        ));
+    };
+    let mut evaluator = Evaluator::<Coordinate>::new(mistakes);
+    let home = MaterialScope { file: Rc::clone(file), own, lets: lets.fresh(), directions: Named::None };
+    let scope = Elsewhere { outer: &home, file: Rc::clone(&site.file) };
+    let required = Required { name, dimension: parameter.dimension };
+    let value = evaluator.constant(&scope, site.id, required)?;
+    let span = site.file.span(site.id);
+    within::check(&mut evaluator, &home, parameter, value, &site.file, span)?;
+    Ok(value)
+}
+
+/// The entries of the material's frames.
+fn frame(mistakes: &mut Mistakes, file: &Rc<File>, members: &Members) -> Vec<(Name, crate::syntax::ExprId)> {
+    let mut frame = Vec::new();
+    for block in &members.blocks {
+        if block.kind.text == FRAME.word {
+            frame.extend(Members::read(mistakes, file, &FRAME, block).free);
+        } else {
+            super::blocks::unknown_block(mistakes, file, block, Some(MATERIAL.word));
+        }
+    }
+    frame
+}
+
+fn density(
+    mistakes: &mut Mistakes,
+    file: &Rc<File>,
+    block: &Block,
+    members: &Members,
+    lets: &Lets,
+    own: &[Own],
+) -> Result<f64, Reported> {
+    let site = members.required(mistakes, file, &MATERIAL, block, "density")?;
+    let mut evaluator = Evaluator::<Coordinate>::new(mistakes);
+    let home = MaterialScope { file: Rc::clone(file), own, lets: lets.fresh(), directions: Named::None };
+    let scope = Elsewhere { outer: &home, file: Rc::clone(&site.file) };
+    let required = Required { name: "density", dimension: Dimension::DENSITY };
+    let value = evaluator.constant(&scope, site.id, required)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    let found = Quantity::new(value, Dimension::DENSITY);
+    let message = format!("`density` must be > 0, but the value is {found}");
+    let span = site.file.span(site.id);
+    Err(mistakes.report(&site.file, Code::ParameterOutOfRange, span, message, "outside", None))
+}
+
+/// Refuses an energy that does not resist a change of volume at all.
+///
+/// Isochoric invariants do not change under `F = λ I`: an energy of these alone has bulk modulus 0.
+fn volumetric(
+    mistakes: &mut Mistakes,
+    energy: &Site,
+    tape: &Tape<Leaf>,
+    terms: &[(String, super::model::Place)],
+) -> Result<(), Reported> {
+    use crate::energy::Invariant as I;
+    let isochoric = |leaf: &Leaf| {
+        matches!(
+            leaf,
+            Leaf::Parameter(_)
+                | Leaf::Invariant(I::I1Bar | I::I2Bar | I::StretchBar(_) | I::I4Bar(_) | I::I5Bar(_))
+        )
+    };
+    if !tape.leaves().all(isochoric) {
+        return Ok(());
+    }
+    let names: Vec<String> = terms.iter().map(|(name, _)| format!("`{name}`")).collect();
+    let message = format!("the bulk modulus is 0: {} leaves a change of volume free", names.join(" + "));
+    let help = "add a volumetric term, for example `+ vol_ogden2(D = 1e-7 Pa^-1)`";
+    let span = energy.file.span(energy.id);
+    Err(mistakes.report(
+        &energy.file,
+        Code::NoVolumetricTerm,
+        span,
+        message,
+        "only isochoric terms",
+        Some(help.into()),
+    ))
+}
+
+/// What the names of directions are bound to.
+enum Named<'a> {
+    /// Nothing: directions are not known here.
+    None,
+    /// Their indices; those of the frame are counted when they are used.
+    Indices { fibres: &'a [String], frame: &'a [(Name, crate::syntax::ExprId)], used: RefCell<Vec<String>> },
+    /// Their components, as far as they are evaluated.
+    Components(&'a RefCell<BTreeMap<String, Outcome>>),
+}
+
+/// The names in a material.
+struct MaterialScope<'a> {
+    file: Rc<File>,
+    own: &'a [Own],
+    lets: Lets,
+    directions: Named<'a>,
+}
+
+impl<L: Leaves> Scope<L> for MaterialScope<'_> {
+    fn file(&self) -> &Rc<File> {
+        &self.file
+    }
+
+    fn name(&self, evaluator: &mut Evaluator<L>, name: &Name) -> Option<Outcome> {
+        if let Some(index) = self.own.iter().position(|own| own.name == name.text) {
+            let own = &self.own[index];
+            if own.value.is_nan() {
+                return Some(Err(Reported));
+            }
+            let node = match L::parameter(index as u32) {
+                Some(leaf) => evaluator.graph.leaf(leaf),
+                None => evaluator.graph.constant(own.value),
+            };
+            return Some(Ok(Value::scalar(node, own.dimension)));
+        }
+        if let Some(outcome) = self.lets.name(evaluator, self, name) {
+            return Some(outcome);
+        }
+        match &self.directions {
+            Named::None => None,
+            Named::Indices { fibres, frame, used } => {
+                let index = match fibres.iter().position(|fibre| *fibre == name.text) {
+                    Some(index) => index,
+                    None => {
+                        frame.iter().find(|(direction, _)| direction.text == name.text)?;
+                        let mut used = used.borrow_mut();
+                        let position =
+                            used.iter().position(|known| *known == name.text).unwrap_or_else(|| {
+                                used.push(name.text.clone());
+                                used.len() - 1
+                            });
+                        fibres.len() + position
+                    }
+                };
+                Some(Ok(Value::Direction(index as u8)))
+            }
+            Named::Components(known) => {
+                let known = known.borrow().get(&name.text).cloned();
+                known.or_else(|| place_word(evaluator, &name.text, true, false))
+            }
+        }
+    }
+
+    fn call(
+        &self,
+        evaluator: &mut Evaluator<L>,
+        outer: &dyn Scope<L>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Option<Outcome> {
+        self.lets.call(evaluator, self, outer, function, arguments)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let own = self.own.iter().map(|own| own.name.clone());
+        let lets = self.lets.names().map(|definition| definition.name.text.clone());
+        let directions: Vec<String> = match &self.directions {
+            Named::None => vec![],
+            Named::Indices { fibres, frame, .. } => {
+                fibres.iter().cloned().chain(frame.iter().map(|(name, _)| name.text.clone())).collect()
+            }
+            Named::Components(known) => known.borrow().keys().cloned().collect(),
+        };
+        own.chain(lets).chain(directions).collect()
+    }
+}

@@ -1,0 +1,10 @@
+//! The entries of a block, sorted by what they are and held against its declaration.
+//!
+//! Owns unknown, missing and repeated entries. Knows no values.
+
+mod entries;
+mod overrides;
+pub(super) mod within;
+
+pub(super) use entries::{ExpectEntry, Members, ParamEntry, ParameterDef, Site, duplicate};
+pub(super) use overrides::Overrides;

@@ -1,0 +1,37 @@
+//! A file to its document.
+
+use super::file::Mistake;
+use super::loader::Loader;
+use super::model::Document;
+use super::scenes;
+use super::session::Session;
+use crate::syntax::{Item, Source};
+
+/// The meaning of a file, and every mistake found in it and in the files it imports.
+///
+/// `source.name` is the path of the file: what the file names is looked for relative to it. `overrides`
+/// are values in place of those written, by path: `("strip.spacing", "0.25 mm")`.
+///
+/// With no mistakes the document is whole; with mistakes it holds what has none.
+pub fn resolve(
+    source: &Source,
+    loader: &dyn Loader,
+    overrides: &[(String, String)],
+) -> (Document, Vec<Mistake>) {
+    let mut session = Session::new(loader, overrides);
+    let file = session.parse(source.clone());
+    let module = session.module(&file);
+    let mut document = Document::default();
+    for name in &module.own_materials {
+        document
+            .materials
+            .extend(module.materials.get(name).cloned().flatten().map(|material| (*material).clone()));
+    }
+    for index in &module.rest {
+        let Item::Block(block) = &file.tree.items[*index] else { continue };
+        let Some(name) = block.target.as_ref().and_then(|path| path.parts.first()) else { continue };
+        document.scenes.extend(scenes::read(&mut session, &file, block, name, &module));
+    }
+    session.overrides.finish(&mut session.mistakes);
+    (document, session.mistakes.finish(&file))
+}

@@ -1,0 +1,343 @@
+//! `expect`: what must hold of the tables.
+
+use super::super::evaluate::{Evaluator, Lets, Outcome, Required, Scalar, Scope, Value, symbol};
+use super::super::file::{File, Reported};
+use super::super::members::ExpectEntry;
+use super::super::model::{Expectation, Judgement, Relation, Sample, Tolerance};
+use super::super::words::SAMPLES;
+use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
+use super::records::TIME;
+use super::stage::{Records, Stage};
+use super::tables::Tables;
+use crate::expression::Tape;
+use crate::syntax::{Argument, At, BinaryOperator, Code, Diagnostic, ExprId, ExprKind, Name, Span};
+use crate::unit::Dimension;
+use std::rc::Rc;
+
+/// The names in an expectation.
+struct SampleScope<'a> {
+    file: &'a Rc<File>,
+    lets: Lets,
+    records: &'a Records,
+    tables: &'a Tables,
+}
+
+impl Scope<Sample> for SampleScope<'_> {
+    fn file(&self) -> &Rc<File> {
+        self.file
+    }
+
+    fn name(&self, evaluator: &mut Evaluator<Sample>, name: &Name) -> Option<Outcome> {
+        self.lets.name(evaluator, self, name)
+    }
+
+    fn member(
+        &self,
+        evaluator: &mut Evaluator<Sample>,
+        base: ExprId,
+        name: &Name,
+        _span: &Span,
+    ) -> Option<Outcome> {
+        let ExprKind::Name(table) = &self.file.tree.expr(base).kind else { return None };
+        let column = ColumnName {
+            table: Name { text: table.clone(), span: self.file.span(base) },
+            column: name.clone(),
+        };
+        Some(self.column(evaluator, &column))
+    }
+
+    fn call(
+        &self,
+        evaluator: &mut Evaluator<Sample>,
+        outer: &dyn Scope<Sample>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Option<Outcome> {
+        if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
+            return Some(outcome);
+        }
+        let [argument] = arguments else { return None };
+        let sample = match function.text.as_str() {
+            "max" => |record, column| Sample::Max { record, column },
+            "min" => |record, column| Sample::Min { record, column },
+            "initial" => |record, column| Sample::Initial { record, column },
+            "final" => |record, column| Sample::Final { record, column },
+            "never_grows" => {
+                let required = "it is a claim of its own: `expect never_grows(record.column)`";
+                return Some(Err(evaluator.wrong_form(self.file, &function.span, "`never_grows`", required)));
+            }
+            _ => return None,
+        };
+        Some(column_name(evaluator.mistakes, self.file, argument.value).and_then(|name| {
+            let dimension = column_dimension(evaluator.mistakes, self.records, self.file, &name)?;
+            let leaf = evaluator.graph.leaf(sample(name.table.text, name.column.text));
+            Ok(Value::scalar(leaf, dimension))
+        }))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.lets.names().map(|definition| definition.name.text.clone()).collect()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        SAMPLES.iter().map(|word| word.word.into()).collect()
+    }
+
+    fn hint(&self, name: &str) -> Option<String> {
+        let record = self.records.iter().find(|(_, columns)| columns.contains_key(name));
+        record.map(|(record, _)| format!("write `{record}.{name}`"))
+    }
+}
+
+impl SampleScope<'_> {
+    fn column(&self, evaluator: &mut Evaluator<Sample>, name: &ColumnName) -> Outcome {
+        let (table, column) = (name.table.text.clone(), name.column.text.clone());
+        if !self.records.contains_key(&table) && self.tables.contains_key(&table) {
+            let dimension = table_dimension(evaluator.mistakes, self.tables, self.file, name)?;
+            let reference = self.tables[&table].as_ref().ok_or(Reported)?.reference.clone();
+            let leaf = evaluator.graph.leaf(Sample::Reference { reference, column });
+            return Ok(Value::scalar(leaf, dimension));
+        }
+        let dimension = column_dimension(evaluator.mistakes, self.records, self.file, name)?;
+        Ok(Value::scalar(evaluator.graph.leaf(Sample::Column { record: table, column }), dimension))
+    }
+}
+
+/// Both sides of a comparison.
+struct Sides {
+    left: Tape<Sample>,
+    right: Tape<Sample>,
+    dimension: Dimension,
+}
+
+impl Stage<'_> {
+    pub(super) fn expectation(&mut self, entry: &ExpectEntry) -> Result<(), Reported> {
+        let file = Rc::clone(&self.file);
+        let judgement = match &file.tree.expr(entry.claim).kind {
+            ExprKind::Call { function, arguments } if function.text == "never_grows" => {
+                self.never_grows(&file, entry, function, arguments)?
+            }
+            ExprKind::Binary { operator, at, left, right } => match relation(*operator) {
+                Some(relation) => self.comparison(&file, entry, (relation, *operator, at), *left, *right)?,
+                None => return Err(self.not_a_claim(&file, entry.claim)),
+            },
+            _ => return Err(self.not_a_claim(&file, entry.claim)),
+        };
+        let text = file.text(&entry.span).split_whitespace().collect::<Vec<_>>().join(" ");
+        self.scene.expectations.push(Expectation { place: file.place(&entry.span), text, judgement });
+        Ok(())
+    }
+
+    fn not_a_claim(&mut self, file: &File, id: ExprId) -> Reported {
+        let message = "`expect` needs a comparison or `never_grows(record.column)`";
+        let help = Some("write `expect a == b within 1 %` or `expect a < b`".into());
+        self.mistakes.report(file, Code::WrongForm, file.span(id), message, "", help)
+    }
+
+    fn never_grows(
+        &mut self,
+        file: &Rc<File>,
+        entry: &ExpectEntry,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Result<Judgement, Reported> {
+        let [argument] = arguments else {
+            let message = "`never_grows` is written `never_grows(record.column)`";
+            return Err(self.mistakes.report(
+                file,
+                Code::WrongForm,
+                function.span.clone(),
+                message,
+                "",
+                None,
+            ));
+        };
+        let name = column_name(self.mistakes, file, argument.value)?;
+        column_dimension(self.mistakes, &self.columns, file, &name)?;
+        if entry.within.is_some() || entry.at.is_some() {
+            let message = "`never_grows` holds at all times to round-off: it takes no `within` and no `at`";
+            return Err(self.mistakes.report(file, Code::WrongForm, entry.span.clone(), message, "", None));
+        }
+        Ok(Judgement::NeverGrows { record: name.table.text, column: name.column.text })
+    }
+
+    fn comparison(
+        &mut self,
+        file: &Rc<File>,
+        entry: &ExpectEntry,
+        (relation, operator, sign): (Relation, BinaryOperator, &Span),
+        left: ExprId,
+        right: ExprId,
+    ) -> Result<Judgement, Reported> {
+        let sides = self.sides(file, (operator, sign), left, right)?;
+        let tolerance = self.tolerance(file, entry, relation, &sides);
+        let at = self.abscissa(file, entry, &sides);
+        Ok(Judgement::Compare {
+            left: sides.left,
+            relation,
+            right: sides.right,
+            tolerance: tolerance?,
+            at: at?,
+            unit: sides.dimension.si_symbol(),
+        })
+    }
+
+    fn sides(
+        &mut self,
+        file: &Rc<File>,
+        (operator, sign): (BinaryOperator, &Span),
+        left: ExprId,
+        right: ExprId,
+    ) -> Result<Sides, Reported> {
+        let scope =
+            SampleScope { file, lets: self.lets.fresh(), records: &self.columns, tables: &self.tables };
+        let mut evaluator = Evaluator::<Sample>::new(self.mistakes);
+        let (a, b): (Result<Scalar, _>, Result<Scalar, _>) =
+            (evaluator.scalar(&scope, left), evaluator.scalar(&scope, right));
+        let (a, b) = (a?, b?);
+        if a.dimension != b.dimension {
+            let (l, r) = (a.dimension.describe(), b.dimension.describe());
+            let message = format!("`{}` compares {l} with {r}", symbol(operator));
+            let diagnostic = Diagnostic::new(Code::MixedDimensions, message, sign.clone(), "")
+                .with_label(file.span(left), l)
+                .with_label(file.span(right), r);
+            return Err(self.mistakes.push(file, diagnostic));
+        }
+        Ok(Sides { left: evaluator.tape(a), right: evaluator.tape(b), dimension: a.dimension })
+    }
+
+    /// `within 0.5 %` or `within 1e-10 m`.
+    fn tolerance(
+        &mut self,
+        file: &Rc<File>,
+        entry: &ExpectEntry,
+        relation: Relation,
+        sides: &Sides,
+    ) -> Result<Option<Tolerance>, Reported> {
+        let equality = relation == Relation::Equal;
+        let Some(id) = entry.within else {
+            if !equality {
+                return Ok(None);
+            }
+            let message = "an equality of computed numbers needs a tolerance";
+            let help = Some("write `within 1 %` behind it, with the tolerance that is meant".into());
+            let span = file.span(entry.claim);
+            return Err(self.mistakes.report(file, Code::MissingArgument, span, message, "", help));
+        };
+        if !equality {
+            let message = "`within` belongs to an equality";
+            return Err(self.mistakes.report(file, Code::WrongForm, file.span(id), message, "", None));
+        }
+        let site = super::super::members::Site { file: Rc::clone(file), id };
+        let relative =
+            matches!(&file.tree.expr(id).kind, ExprKind::Number { unit: Some(unit), .. } if unit.text == "%");
+        let dimension = if relative { Dimension::NUMBER } else { sides.dimension };
+        let value = self.constant(&site, "within", dimension)?;
+        if value < 0.0 {
+            let message = "a tolerance must be >= 0";
+            return Err(self.mistakes.report(
+                file,
+                Code::ParameterOutOfRange,
+                file.span(id),
+                message,
+                "",
+                None,
+            ));
+        }
+        Ok(Some(if relative { Tolerance::Relative(value) } else { Tolerance::Absolute(value) }))
+    }
+
+    /// `at record.column = [values]`; `at t = …` means the time of the record first named.
+    fn abscissa(
+        &mut self,
+        file: &Rc<File>,
+        entry: &ExpectEntry,
+        sides: &Sides,
+    ) -> Result<Option<(String, String, Vec<f64>)>, Reported> {
+        let leaves = || sides.left.leaves().chain(sides.right.leaves());
+        let curve = leaves().any(|leaf| matches!(leaf, Sample::Column { .. } | Sample::Reference { .. }));
+        let Some(at) = &entry.at else {
+            if !curve {
+                return Ok(None);
+            }
+            let message = "a column holds many values: it must be said where the claim holds";
+            let help = Some("write `at t = 1 ms` behind it, or `max(record.column) < …`".into());
+            let span = file.span(entry.claim);
+            return Err(self.mistakes.report(file, Code::MissingArgument, span, message, "", help));
+        };
+        if !curve {
+            let message = "`at` belongs to a column, but neither side holds one";
+            return Err(self.mistakes.report(file, Code::WrongForm, file.span(at.key), message, "", None));
+        }
+        let first = leaves().find_map(|leaf| match leaf {
+            Sample::Column { record, .. } => Some(record.clone()),
+            _ => None,
+        });
+        let name = self.abscissa_name(file, at, first)?;
+        let dimension = column_dimension(self.mistakes, &self.columns, file, &name)?;
+        for leaf in leaves() {
+            if let Sample::Reference { reference, .. } = leaf
+                && !reference.columns.iter().any(|(column, _)| *column == name.column.text)
+            {
+                let message = format!(
+                    "`{}` has no column `{}` in which it could be read off",
+                    reference.path, name.column.text
+                );
+                let help =
+                    Some(format!("write `{} = \"…\"` among the columns of its `csv`", name.column.text));
+                return Err(self.mistakes.report(
+                    file,
+                    Code::UnknownName,
+                    file.span(at.key),
+                    message,
+                    "",
+                    help,
+                ));
+            }
+        }
+        let values = self.abscissa_values(file, at, &name.column.text, dimension)?;
+        Ok(Some((name.table.text, name.column.text, values)))
+    }
+
+    fn abscissa_name(&mut self, file: &File, at: &At, first: Option<String>) -> Result<ColumnName, Reported> {
+        match (&file.tree.expr(at.key).kind, first) {
+            (ExprKind::Name(name), Some(record)) if name == TIME => {
+                let span = file.span(at.key);
+                let column = Name { text: TIME.into(), span: span.clone() };
+                Ok(ColumnName { table: Name { text: record, span }, column })
+            }
+            _ => column_name(self.mistakes, file, at.key),
+        }
+    }
+
+    fn abscissa_values(
+        &mut self,
+        file: &Rc<File>,
+        at: &At,
+        name: &str,
+        dimension: Dimension,
+    ) -> Result<Vec<f64>, Reported> {
+        let site = super::super::members::Site { file: Rc::clone(file), id: at.value };
+        self.evaluate(&site, (false, false), |evaluator, scope, id| {
+            let required = Required { name, dimension };
+            let ids = match &scope.file().tree.expr(id).kind {
+                ExprKind::List(ids) => ids.clone(),
+                _ => vec![id],
+            };
+            let values: Vec<Result<f64, Reported>> =
+                ids.iter().map(|id| evaluator.constant(scope, *id, required)).collect();
+            values.into_iter().collect()
+        })
+    }
+}
+
+fn relation(operator: BinaryOperator) -> Option<Relation> {
+    Some(match operator {
+        BinaryOperator::Equal => Relation::Equal,
+        BinaryOperator::Less => Relation::Less,
+        BinaryOperator::LessEqual => Relation::LessEqual,
+        BinaryOperator::Greater => Relation::Greater,
+        BinaryOperator::GreaterEqual => Relation::GreaterEqual,
+        _ => return None,
+    })
+}

@@ -1,0 +1,210 @@
+//! `run`: end time and numerical choices, defaults filled in by the scheme.
+
+use super::super::file::Reported;
+use super::super::members::{Members, Site};
+use super::super::model::*;
+use super::super::words::RUN;
+use super::stage::Stage;
+use crate::discretisation::{Consistency, Kernel};
+use crate::syntax::{Block, Code, Span};
+use crate::unit::Dimension;
+use std::rc::Rc;
+
+/// The choices of a scheme; the Courant number fits its integrator.
+pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
+    let seed = scheme == Scheme::Seed;
+    Run {
+        place,
+        until,
+        scheme,
+        formulation: seed.then_some(Formulation::Pfhj),
+        loading: Loading::Dynamic,
+        integrator: if seed { Integrator::TvdRk2 } else { Integrator::VelocityVerlet },
+        cfl: if seed { 0.3 } else { 0.9 },
+        kernel: Kernel::WendlandC2,
+        smoothing: 1.01,
+        consistency: if seed { Consistency::Kernel } else { Consistency::Integration },
+        momentum_dissipation: if seed { InterfaceStates::Constant } else { InterfaceStates::Linear },
+        pressure_wave_weight: 1.0,
+        shear_wave_weight: 1.0,
+        volume_dissipation: seed,
+        wave_speed_every: if seed { 0 } else { 10 },
+        written: Vec::new(),
+    }
+}
+
+impl Stage<'_> {
+    pub(super) fn run(&mut self, block: &Block) -> Result<(), Reported> {
+        self.run_seen = Some(block.kind.clone());
+        self.only_one(block)?;
+        let file = Rc::clone(&self.file);
+        let scene = self.name.text.clone();
+        let members = Members::read_with(self.mistakes, &file, &RUN, block, self.overrides, &[&scene, "run"]);
+        let until = members.required(self.mistakes, &file, &RUN, block, "until").and_then(|site| {
+            self.until = Some((Rc::clone(&site.file), site.file.span(site.id)));
+            self.positive(&site, "until", Dimension::TIME)
+        });
+        let mut reader = Reader { stage: self, members: &members, sound: true };
+        let scheme = match reader.choice("scheme") {
+            Some("seed") => Scheme::Seed,
+            _ => Scheme::Improved,
+        };
+        let mut run = defaults(scheme, file.place(&block.kind.span), until.unwrap_or(f64::NAN));
+        reader.fill(&mut run);
+        let sound = reader.sound;
+        run.written = RUN
+            .keys
+            .iter()
+            .filter(|key| members.written(key.name).is_some())
+            .map(|key| key.name.into())
+            .collect();
+        self.consistent(&run, &members, &block.kind.span)?;
+        if sound && until.is_ok() {
+            self.run = Some(run);
+        }
+        Ok(())
+    }
+
+    /// Refuses choices that contradict one another.
+    fn consistent(&mut self, run: &Run, members: &Members, block: &Span) -> Result<(), Reported> {
+        let file = Rc::clone(&self.file);
+        let at = |key: &str| {
+            members.written(key).map_or((Rc::clone(&file), block.clone()), |site| {
+                (Rc::clone(&site.file), site.file.span(site.id))
+            })
+        };
+        if members.written("damping").is_some() && run.loading == Loading::Dynamic {
+            let (file, span) = at("damping");
+            let message = "`damping` belongs to quasi-static loading, but `loading` is dynamic";
+            let help = Some("write `loading = quasi_static`".into());
+            return Err(self.mistakes.report(&file, Code::Conflict, span, message, "", help));
+        }
+        if run.volume_dissipation && run.formulation == Some(Formulation::Pf) {
+            let (file, span) = at("volume_dissipation");
+            let message = "`volume_dissipation` acts on an evolved J, but `formulation = pF` derives it";
+            let help = Some("write `formulation = pFJ` or `volume_dissipation = off`".into());
+            return Err(self.mistakes.report(&file, Code::Conflict, span, message, "", help));
+        }
+        Ok(())
+    }
+}
+
+/// Reads the keys of `run`, each only if it is written.
+struct Reader<'s, 'a, 'm> {
+    stage: &'s mut Stage<'a>,
+    members: &'s Members<'m>,
+    sound: bool,
+}
+
+impl Reader<'_, '_, '_> {
+    fn fill(&mut self, run: &mut Run) {
+        match self.choice("formulation") {
+            Some("auto") => run.formulation = None,
+            Some("pF") => run.formulation = Some(Formulation::Pf),
+            Some("pFJ") => run.formulation = Some(Formulation::Pfj),
+            Some("pFHJ") => run.formulation = Some(Formulation::Pfhj),
+            _ => {}
+        }
+        let damping = self.value("damping", Dimension::FREQUENCY, (0.0, f64::INFINITY), true);
+        if self.choice("loading") == Some("quasi_static") {
+            run.loading = Loading::QuasiStatic { damping };
+        }
+        match self.choice("integrator") {
+            Some("tvd_rk2") => (run.integrator, run.cfl) = (Integrator::TvdRk2, 0.3),
+            Some("velocity_verlet") => (run.integrator, run.cfl) = (Integrator::VelocityVerlet, 0.9),
+            _ => {}
+        }
+        run.cfl = self.value("cfl", Dimension::NUMBER, (0.0, 10.0), false).unwrap_or(run.cfl);
+        if self.choice("kernel") == Some("cubic_spline") {
+            run.kernel = Kernel::CubicSpline;
+        }
+        run.smoothing =
+            self.value("smoothing", Dimension::NUMBER, (0.75, 3.0), false).unwrap_or(run.smoothing);
+        match self.choice("integration_consistency") {
+            Some("on") => run.consistency = Consistency::Integration,
+            Some("off") => run.consistency = Consistency::Kernel,
+            _ => {}
+        }
+        match self.choice("momentum_dissipation") {
+            Some("off") => run.momentum_dissipation = InterfaceStates::Off,
+            Some("constant") => run.momentum_dissipation = InterfaceStates::Constant,
+            Some("linear") => run.momentum_dissipation = InterfaceStates::Linear,
+            _ => {}
+        }
+        let weight = (0.0, 100.0);
+        let pressure = self.value("pressure_wave_weight", Dimension::NUMBER, weight, true);
+        run.pressure_wave_weight = pressure.unwrap_or(run.pressure_wave_weight);
+        let shear = self.value("shear_wave_weight", Dimension::NUMBER, weight, true);
+        run.shear_wave_weight = shear.unwrap_or(run.shear_wave_weight);
+        match self.choice("volume_dissipation") {
+            Some("on") => run.volume_dissipation = true,
+            Some("off") => run.volume_dissipation = false,
+            _ => {}
+        }
+        run.wave_speed_every = self.count("wave_speed_every").unwrap_or(run.wave_speed_every);
+    }
+
+    fn site(&self, key: &str) -> Option<Site> {
+        self.members.written(key).cloned()
+    }
+
+    fn choice(&mut self, key: &str) -> Option<&'static str> {
+        let site = self.site(key)?;
+        let choice = self.stage.choice(&site, &RUN, key);
+        self.sound &= choice.is_ok();
+        choice.ok()
+    }
+
+    /// A value between two ends, the lower one allowed or not.
+    fn value(
+        &mut self,
+        key: &str,
+        dimension: Dimension,
+        (low, high): (f64, f64),
+        closed: bool,
+    ) -> Option<f64> {
+        let site = self.site(key)?;
+        let value = self.stage.constant(&site, key, dimension);
+        let value = value.and_then(|value| {
+            if value <= high && (value > low || (closed && value == low)) {
+                return Ok(value);
+            }
+            let lower = if closed { ">=" } else { ">" };
+            let upper = if high.is_finite() { format!(" and <= {high}") } else { String::new() };
+            let message = format!("`{key}` must be {lower} {low}{upper}, but the value is {value}");
+            let span = site.file.span(site.id);
+            Err(self.stage.mistakes.report(
+                &site.file,
+                Code::ParameterOutOfRange,
+                span,
+                message,
+                "outside",
+                None,
+            ))
+        });
+        self.sound &= value.is_ok();
+        value.ok()
+    }
+
+    fn count(&mut self, key: &str) -> Option<u32> {
+        let site = self.site(key)?;
+        let value = self.stage.constant(&site, key, Dimension::NUMBER).and_then(|value| {
+            if value >= 0.0 && value.fract() == 0.0 && value <= 1e6 {
+                return Ok(value as u32);
+            }
+            let message =
+                format!("`{key}` must be a whole number from 0 to 1000000, but the value is {value}");
+            let span = site.file.span(site.id);
+            Err(self.stage.mistakes.report(
+                &site.file,
+                Code::ParameterOutOfRange,
+                span,
+                message,
+                "outside",
+                None,
+            ))
+        });
+        self.sound &= value.is_ok();
+        value.ok()
+    }
+}

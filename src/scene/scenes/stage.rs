@@ -1,0 +1,370 @@
+//! A scene under construction.
+
+use super::super::evaluate::{Elsewhere, Evaluator, Lets, Outcome, Required, Scope, place_word};
+use super::super::file::{File, Mistakes, Reported};
+use super::super::loader::Loader;
+use super::super::members::{Members, Overrides, Site, duplicate};
+use super::super::model::*;
+use super::super::session::{Materials, Module, Session};
+use super::tables::Tables;
+use crate::expression::Tape;
+use crate::schema::{Choice, Declaration, Kind, nearest};
+use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
+use crate::unit::Dimension;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The dimensions of the columns of each record, by name; `None` where a column is wrong.
+pub(super) type Records = BTreeMap<String, BTreeMap<String, Option<Dimension>>>;
+
+/// A scene under construction.
+pub(super) struct Stage<'a> {
+    pub(super) mistakes: &'a mut Mistakes,
+    pub(super) overrides: &'a Overrides,
+    pub(super) loader: &'a dyn Loader,
+    pub(super) file: Rc<File>,
+    pub(super) name: Name,
+    pub(super) lets: Lets,
+    pub(super) materials: &'a Materials,
+    /// Tables read by `let name = csv(…)`; `None` where one could not be read.
+    pub(super) tables: Tables,
+    /// Names of bodies, of those that are wrong as well.
+    pub(super) body_names: Vec<Name>,
+    /// Dimensions of the columns of each record; `None` where a column is wrong.
+    pub(super) columns: Records,
+    /// Names of records, frames and plots.
+    pub(super) outputs: BTreeMap<String, Name>,
+    /// Where each prescribed motion is written, in the order of the scene's.
+    pub(super) sites: Vec<Span>,
+    /// Where ramps stand and when they end, s.
+    pub(super) ramps: Vec<(Rc<File>, Span, f64)>,
+    /// Where `until` is written.
+    pub(super) until: Option<(Rc<File>, Span)>,
+    pub(super) run: Option<Run>,
+    pub(super) run_seen: Option<Name>,
+    pub(super) single: BTreeMap<String, Name>,
+    pub(super) scene: Scene,
+}
+
+impl<'a> Stage<'a> {
+    pub(super) fn new(
+        session: &'a mut Session,
+        file: &Rc<File>,
+        name: &Name,
+        module: &'a Module,
+        members: &Members,
+    ) -> Self {
+        let mut stage = Self {
+            mistakes: &mut session.mistakes,
+            overrides: &session.overrides,
+            loader: session.loader,
+            file: Rc::clone(file),
+            name: name.clone(),
+            lets: Lets::default(),
+            materials: &module.materials,
+            tables: BTreeMap::new(),
+            body_names: Vec::new(),
+            columns: BTreeMap::new(),
+            outputs: BTreeMap::new(),
+            sites: Vec::new(),
+            ramps: Vec::new(),
+            until: None,
+            run: None,
+            run_seen: None,
+            single: BTreeMap::new(),
+            scene: Scene {
+                name: name.text.clone(),
+                place: file.place(&name.span),
+                materials: Vec::new(),
+                bodies: Vec::new(),
+                symmetry: [None, None, None],
+                prescribed: Vec::new(),
+                loads: Vec::new(),
+                starts: Vec::new(),
+                run: Run::placeholder(),
+                records: Vec::new(),
+                frames: Vec::new(),
+                plots: Vec::new(),
+                expectations: Vec::new(),
+            },
+        };
+        let mut lets = members.lets.clone();
+        lets.retain(|name, definition| {
+            let is_table = matches!(&file.tree.expr(definition.value).kind,
+                ExprKind::Call { function, .. } if function.text == "csv");
+            if is_table {
+                let table = stage.table(definition.value).ok().map(Rc::new);
+                stage.tables.insert(name.clone(), table);
+            }
+            !is_table
+        });
+        stage.lets = Lets::new(lets);
+        stage
+    }
+
+    /// The scene, if it has what every scene needs.
+    pub(super) fn finish(mut self, block: &Block) -> Result<Scene, Reported> {
+        let span = block.kind.span.start..self.name.span.end;
+        let title = format!("`scene {}`", self.name.text);
+        if self.body_names.is_empty() {
+            let help = "write `body name { shape = …  spacing = …  material = … }`";
+            self.mistakes.report(
+                &self.file,
+                Code::MissingKey,
+                span.clone(),
+                format!("{title} needs a body"),
+                "",
+                Some(help.into()),
+            );
+        }
+        if self.run_seen.is_none() {
+            let help = "write `run { until = 1 s }` with the end time that is meant";
+            self.mistakes.report(
+                &self.file,
+                Code::MissingKey,
+                span,
+                format!("{title} needs `run`"),
+                "no end time",
+                Some(help.into()),
+            );
+        }
+        self.refuse_conflicts();
+        self.refuse_late_ramps();
+        self.scene.run = self.run.ok_or(Reported)?;
+        Ok(self.scene)
+    }
+
+    /// Evaluates something that needs an evaluator over coordinates.
+    pub(super) fn evaluate<T>(
+        &mut self,
+        site: &Site,
+        (place, time): (bool, bool),
+        run: impl FnOnce(&mut Evaluator<Coordinate>, &dyn Scope<Coordinate>, ExprId) -> Result<T, Reported>,
+    ) -> Result<T, Reported> {
+        let home =
+            SceneScope { file: &self.file, lets: self.lets.fresh(), tables: &self.tables, place, time };
+        let scope = Elsewhere { outer: &home, file: Rc::clone(&site.file) };
+        let mut evaluator = Evaluator::new(self.mistakes);
+        let result = run(&mut evaluator, &scope, site.id);
+        self.ramps.append(&mut evaluator.ramps);
+        result
+    }
+
+    /// One fixed value.
+    pub(super) fn constant(
+        &mut self,
+        site: &Site,
+        name: &str,
+        dimension: Dimension,
+    ) -> Result<f64, Reported> {
+        self.evaluate(site, (false, false), |e, scope, id| {
+            e.constant(scope, id, Required { name, dimension })
+        })
+    }
+
+    /// Three fixed values.
+    pub(super) fn constants(
+        &mut self,
+        site: &Site,
+        name: &str,
+        dimension: Dimension,
+    ) -> Result<[f64; 3], Reported> {
+        self.evaluate(site, (false, false), |e, scope, id| {
+            e.constant_vector(scope, id, Required { name, dimension })
+        })
+    }
+
+    /// One formula over place and time.
+    pub(super) fn field(
+        &mut self,
+        site: &Site,
+        name: &str,
+        dimension: Dimension,
+        depends: (bool, bool),
+    ) -> Result<Tape<Coordinate>, Reported> {
+        self.evaluate(site, depends, |e, scope, id| {
+            let scalar = e.quantity(scope, id, Required { name, dimension })?;
+            Ok(e.tape(scalar))
+        })
+    }
+
+    /// Three formulas over place and time.
+    pub(super) fn fields(
+        &mut self,
+        site: &Site,
+        name: &str,
+        dimension: Dimension,
+        depends: (bool, bool),
+    ) -> Result<[Tape<Coordinate>; 3], Reported> {
+        self.evaluate(site, depends, |e, scope, id| {
+            let vector = e.vector_quantity(scope, id, Required { name, dimension })?;
+            Ok(vector.map(|component| e.tape(component)))
+        })
+    }
+
+    /// One of the words a key allows.
+    pub(super) fn choice(
+        &mut self,
+        site: &Site,
+        declaration: &Declaration,
+        key: &str,
+    ) -> Result<&'static str, Reported> {
+        let choices = choices(declaration, key);
+        self.chosen(&site.file, site.id, key, choices)
+    }
+
+    /// Several of the words a key allows.
+    pub(super) fn chosen_list(
+        &mut self,
+        site: &Site,
+        declaration: &Declaration,
+        key: &str,
+    ) -> Result<Vec<&'static str>, Reported> {
+        let choices = choices(declaration, key);
+        let ids = match &site.file.tree.expr(site.id).kind {
+            ExprKind::List(ids) => ids.clone(),
+            _ => vec![site.id],
+        };
+        let mut words = Vec::new();
+        for id in ids {
+            let word = self.chosen(&site.file, id, key, choices)?;
+            if words.contains(&word) {
+                let message = format!("`{word}` stands twice in `{key}`");
+                return Err(self.mistakes.report(
+                    &site.file,
+                    Code::DuplicateName,
+                    site.file.span(id),
+                    message,
+                    "",
+                    None,
+                ));
+            }
+            words.push(word);
+        }
+        Ok(words)
+    }
+
+    fn chosen(
+        &mut self,
+        file: &File,
+        id: ExprId,
+        key: &str,
+        choices: &'static [Choice],
+    ) -> Result<&'static str, Reported> {
+        let written = match &file.tree.expr(id).kind {
+            ExprKind::Name(word) => word.as_str(),
+            _ => file.expression(id),
+        };
+        if let Some(choice) = choices.iter().find(|choice| choice.word == written) {
+            return Ok(choice.word);
+        }
+        let words: Vec<&str> = choices.iter().map(|choice| choice.word).collect();
+        let message = format!("`{key}` cannot be `{written}`");
+        let help = match nearest(written, words.iter().copied()) {
+            Some(meant) => format!("write `{meant}`"),
+            None => format!("write one of {}", words.join(", ")),
+        };
+        Err(self.mistakes.report(file, Code::UnknownName, file.span(id), message, "", Some(help)))
+    }
+
+    /// Refuses a second block of a kind there can be one of.
+    pub(super) fn only_one(&mut self, block: &Block) -> Result<(), Reported> {
+        super::super::blocks::refuse_target(self.mistakes, &self.file, block, crate::schema::Target::Absent);
+        match self.single.get(&block.kind.text) {
+            Some(first) => {
+                duplicate(self.mistakes, &self.file, &block.kind, first);
+                Err(Reported)
+            }
+            None => {
+                self.single.insert(block.kind.text.clone(), block.kind.clone());
+                Ok(())
+            }
+        }
+    }
+}
+
+fn choices(declaration: &Declaration, key: &str) -> &'static [Choice] {
+    match declaration.key(key).map(|parameter| parameter.kind) {
+        Some(Kind::Choice(choices) | Kind::Choices(choices)) => choices,
+        _ => &[],
+    }
+}
+
+/// The names in a scene: its `let`s, and place and time where they mean something.
+pub(super) struct SceneScope<'a> {
+    file: &'a Rc<File>,
+    lets: Lets,
+    tables: &'a Tables,
+    place: bool,
+    time: bool,
+}
+
+impl Scope<Coordinate> for SceneScope<'_> {
+    fn file(&self) -> &Rc<File> {
+        self.file
+    }
+
+    fn name(&self, evaluator: &mut Evaluator<Coordinate>, name: &Name) -> Option<Outcome> {
+        if self.tables.get(&name.text).is_some_and(Option::is_none) {
+            return Some(Err(Reported));
+        }
+        let outcome = self.lets.name(evaluator, self, name);
+        outcome.or_else(|| place_word(evaluator, &name.text, self.place, self.time))
+    }
+
+    fn call(
+        &self,
+        evaluator: &mut Evaluator<Coordinate>,
+        outer: &dyn Scope<Coordinate>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Option<Outcome> {
+        if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
+            return Some(outcome);
+        }
+        (self.time && function.text == "ramp")
+            .then(|| super::loads::ramp(evaluator, outer, function, arguments))
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names: Vec<String> =
+            self.lets.names().map(|definition| definition.name.text.clone()).collect();
+        if self.place {
+            names.extend(["X", "Y", "Z", "r"].map(String::from));
+        }
+        if self.time {
+            names.push("t".into());
+        }
+        names
+    }
+
+    fn functions(&self) -> Vec<String> {
+        if self.time { vec!["ramp".into()] } else { vec![] }
+    }
+
+    fn hint(&self, name: &str) -> Option<String> {
+        if self.tables.contains_key(name) {
+            return Some(format!("`{name}` is a table: its columns stand in `plot` and `expect`"));
+        }
+        match name {
+            "x" | "y" | "z" if self.place => {
+                Some(format!("write `{}` for the reference coordinate", name.to_uppercase()))
+            }
+            "t" => Some("this value cannot depend on time".into()),
+            "X" | "Y" | "Z" | "r" => Some("this value cannot depend on place".into()),
+            _ => None,
+        }
+    }
+}
+
+/// A constant as a formula.
+pub(super) fn zero() -> Tape<Coordinate> {
+    Tape::constant(0.0)
+}
+
+impl Run {
+    /// Stands in the scene until its `run` block is read.
+    fn placeholder() -> Self {
+        super::run::defaults(Scheme::Improved, Place::default(), 0.0)
+    }
+}

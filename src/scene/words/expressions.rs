@@ -1,0 +1,130 @@
+//! Words of expressions: functions, invariants, probes, fields.
+
+use crate::schema::Word;
+
+const ANYWHERE: &str = "in every expression";
+const ENERGY: &str = "in `energy`";
+const PLACE: &str = "in functions of place and time";
+const RECORD: &str = "in `record`";
+const FIELD: &str = "field of at(…), max(…) and min(…) in `record`";
+const EXPECT: &str = "in `expect`";
+
+const fn word(word: &'static str, form: &'static str, context: &'static str, doc: &'static str) -> Word {
+    Word { word, form, doc, context }
+}
+
+/// Functions and constants known everywhere.
+pub(in crate::scene) static FUNCTIONS: &[Word] = &[
+    word("exp", "exp(x)", ANYWHERE, "Exponential of a number."),
+    word("ln", "ln(x)", ANYWHERE, "Natural logarithm of a number."),
+    word("sqrt", "sqrt(x)", ANYWHERE, "Square root; the dimension is halved."),
+    word("cbrt", "cbrt(x)", ANYWHERE, "Cube root; the dimension is divided by three."),
+    word("abs", "abs(x)", ANYWHERE, "Absolute value."),
+    word("min", "min(a, b)", ANYWHERE, "The lesser of two."),
+    word("max", "max(a, b)", ANYWHERE, "The greater of two."),
+    word(
+        "pos",
+        "pos(x)",
+        ANYWHERE,
+        "Macaulay bracket: x where positive, else 0; value and derivative 0 at 0.",
+    ),
+    word("if", "if(a < b, x, y)", ANYWHERE, "x where the comparison holds, else y."),
+    word("sin", "sin(x)", ANYWHERE, "Sine of an angle."),
+    word("cos", "cos(x)", ANYWHERE, "Cosine of an angle."),
+    word("tan", "tan(x)", ANYWHERE, "Tangent of an angle."),
+    word("tanh", "tanh(x)", ANYWHERE, "Hyperbolic tangent of a number."),
+    word("cosh", "cosh(x)", ANYWHERE, "Hyperbolic cosine of a number."),
+    word("erf", "erf(x)", ANYWHERE, "Error function of a number."),
+    word("sum", "sum(i in 1 .. n, x)", ANYWHERE, "Sum over whole numbers, over a list or over the fibres."),
+    word("unit", "unit([a, b, c])", ANYWHERE, "The vector divided by its length."),
+    word("norm", "norm([a, b, c])", ANYWHERE, "Length of a vector."),
+    word("tilt", "tilt(a, b, angle)", ANYWHERE, "cos(angle) a + sin(angle) b: a turned towards b."),
+    word("pi", "pi", ANYWHERE, "3.14159…"),
+];
+
+/// Invariants of the deformation.
+pub(in crate::scene) static ENERGY_WORDS: &[Word] = &[
+    word("I1", "I1", ENERGY, "F : F"),
+    word("I2", "I2", ENERGY, "H : H with H = cof F"),
+    word("I3", "I3", ENERGY, "J^2"),
+    word("J", "J", ENERGY, "Volume map, det F."),
+    word("I1bar", "I1bar", ENERGY, "J^(-2/3) I1"),
+    word("I2bar", "I2bar", ENERGY, "J^(-4/3) I2"),
+    word("lam1", "lam1", ENERGY, "Greatest principal stretch."),
+    word("lam2", "lam2", ENERGY, "Middle principal stretch."),
+    word("lam3", "lam3", ENERGY, "Least principal stretch."),
+    word("lam1bar", "lam1bar", ENERGY, "J^(-1/3) lam1"),
+    word("lam2bar", "lam2bar", ENERGY, "J^(-1/3) lam2"),
+    word("lam3bar", "lam3bar", ENERGY, "J^(-1/3) lam3"),
+    word("I4", "I4(a)", ENERGY, "Squared stretch of a direction, |F a|^2."),
+    word("I5", "I5(a)", ENERGY, "|C a|^2 with C = F^T F"),
+    word("I4bar", "I4bar(a)", ENERGY, "J^(-2/3) I4(a)"),
+    word("I5bar", "I5bar(a)", ENERGY, "J^(-4/3) I5(a)"),
+    word("I8", "I8(a, b)", ENERGY, "F a . F b"),
+    word("E", "E(a, b)", ENERGY, "Component of the Green strain, (F a . F b - a . b)/2."),
+];
+
+/// Coordinates of functions of place and time.
+pub(in crate::scene) static PLACE_WORDS: &[Word] = &[
+    word("X", "X", PLACE, "First reference coordinate."),
+    word("Y", "Y", PLACE, "Second reference coordinate."),
+    word("Z", "Z", PLACE, "Third reference coordinate."),
+    word("r", "r", PLACE, "Distance from the z axis, sqrt(X^2 + Y^2)."),
+    word("t", "t", PLACE, "Time."),
+    word(
+        "ramp",
+        "ramp(a -> b, over = T)",
+        PLACE,
+        "From a to b in the time T with no velocity and no acceleration at either end, then b; with `shape = linear` at constant velocity.",
+    ),
+];
+
+/// What a record can ask for.
+pub(in crate::scene) static PROBES: &[Word] = &[
+    word(
+        "displacement",
+        "displacement(body.face).x",
+        RECORD,
+        "Mean displacement of a face, or of a point: displacement(at = [X, Y, Z], body).x.",
+    ),
+    word("reaction", "reaction(body.face).x", RECORD, "Force the support of a face exerts on the body."),
+    word(
+        "section_force",
+        "section_force(body, x = 0 mm).x",
+        RECORD,
+        "Force carried through a plane of the reference configuration.",
+    ),
+    word("at", "at(body, [X, Y, Z], sigma.xx)", RECORD, "A field at a reference point."),
+    word("kinetic_energy", "kinetic_energy", RECORD, "Kinetic energy."),
+    word("strain_energy", "strain_energy", RECORD, "Strain energy."),
+    word("total_energy", "total_energy", RECORD, "Kinetic and strain energy."),
+    word("momentum", "momentum.x", RECORD, "Linear momentum."),
+    word("angular_momentum", "angular_momentum.z", RECORD, "Angular momentum about the origin."),
+    word("volume", "volume", RECORD, "Current volume."),
+    word("gradient_error", "gradient_error", RECORD, "Largest |F - Grad x| over the particles."),
+    word("area_map_error", "area_map_error", RECORD, "Largest |H - cof F| over the particles."),
+    word("volume_map_error", "volume_map_error", RECORD, "Largest |J - det F| over the particles."),
+    word("curl_F", "curl_F", RECORD, "Largest |CURL F| over the particles, times the spacing."),
+    word("div_H", "div_H", RECORD, "Largest |DIV H| over the particles, times the spacing."),
+];
+
+/// Fields of particles.
+pub(in crate::scene) static FIELD_WORDS: &[Word] = &[
+    word("displacement", "displacement.x", FIELD, "Component of the displacement."),
+    word("velocity", "velocity.x", FIELD, "Component of the velocity."),
+    word("sigma", "sigma.xx", FIELD, "Component of the Cauchy stress."),
+    word("P", "P.xx", FIELD, "Component of the first Piola-Kirchhoff stress."),
+    word("F", "F.xx", FIELD, "Component of the deformation gradient."),
+    word("von_mises", "von_mises", FIELD, "Von Mises stress."),
+    word("pressure", "pressure", FIELD, "tr sigma/3, positive in tension."),
+    word("J", "J", FIELD, "Volume map."),
+];
+
+/// What an expectation can ask of a recorded column.
+pub(in crate::scene) static SAMPLES: &[Word] = &[
+    word("max", "max(record.column)", EXPECT, "Largest value of a column."),
+    word("min", "min(record.column)", EXPECT, "Smallest value of a column."),
+    word("initial", "initial(record.column)", EXPECT, "First value of a column."),
+    word("final", "final(record.column)", EXPECT, "Last value of a column."),
+    word("never_grows", "never_grows(record.column)", EXPECT, "The column never exceeds what it was before."),
+];

@@ -1,0 +1,95 @@
+//! Blocks this version reads but does not carry out, and statements that are no blocks.
+
+use crate::schema::{Declaration, Target, Word};
+
+const fn block(
+    word: &'static str,
+    within: Option<&'static str>,
+    target: Target,
+    doc: &'static str,
+) -> Declaration {
+    Declaration { word, doc, within, target, keys: &[], members: &[], example: "", available: false }
+}
+
+/// `check material { … }`
+pub(super) static CHECK: Declaration =
+    block("check", None, Target::Name, "What must hold of a material law itself, with no scene.");
+
+/// `drive name { … }`
+pub(super) static DRIVE: Declaration =
+    block("drive", None, Target::Name, "One material point led along a path of deformation.");
+
+/// `fit name { … }`
+pub(super) static FIT: Declaration = block("fit", None, Target::Name, "Parameters of a material from data.");
+
+/// `sweep name { … }`
+pub(super) static SWEEP: Declaration =
+    block("sweep", None, Target::Name, "The same scene over several values.");
+
+/// `trade name { … }`
+pub(super) static TRADE: Declaration =
+    block("trade", None, Target::Name, "The same scene over numerical choices, error against cost.");
+
+/// `motion { … }`
+pub(super) static MOTION: Declaration = block(
+    "motion",
+    Some("scene"),
+    Target::Absent,
+    "An exact motion x(X, t) from which initial state, loads and boundary data follow.",
+);
+
+/// `pressure body.face { … }`
+pub(super) static PRESSURE: Declaration =
+    block("pressure", Some("scene"), Target::Face, "A pressure that follows the deforming face.");
+
+/// Statements.
+pub(super) static STATEMENTS: &[Word] = &[
+    Word {
+        word: "import",
+        form: "import std.energies { goh }  or  import \"file.tissue\" { gel }",
+        doc: "Takes names from the standard library or from another file.",
+        context: "at the top of a file",
+    },
+    Word {
+        word: "param",
+        form: "param kappa : number in [0, 1/3] = 0.226",
+        doc: "A parameter with its dimension, its admissible range and, in a material, its value.",
+        context: "in `energy` and `material`",
+    },
+    Word {
+        word: "let",
+        form: "let w = 30 s^-1",
+        doc: "A name for an expression.",
+        context: "in `energy`, `material` and `scene`",
+    },
+    Word {
+        word: "fibre",
+        form: "fibre a1 = tilt(theta, z, 30 deg)",
+        doc: "A fibre family: a unit direction of the reference configuration.",
+        context: "in `material`",
+    },
+    Word {
+        word: "fibres",
+        form: "fibres a",
+        doc: "A name for each fibre of the material in turn, for sum(a in fibres, …).",
+        context: "in `energy`",
+    },
+    Word {
+        word: "direction",
+        form: "direction f",
+        doc: "A direction the material supplies by name: law(f = f0).",
+        context: "in `energy`",
+    },
+    Word {
+        word: "expect",
+        form: "expect a == b within 1 % at record.column = [v, w]",
+        doc: "What must hold of the recorded tables.",
+        context: "in `scene`",
+    },
+    Word {
+        word: "csv",
+        form: "csv(\"data.csv\", d = \"disp_mm\")",
+        doc: "A table from a file; the unit is the last part of a column's name.",
+        context: "in `scene`",
+    },
+];

@@ -1,0 +1,94 @@
+//! The words of the language: one table per block, beside the words of expressions.
+//!
+//! Owns what checking, "did you mean", `explain` and the reference are generated from. Knows no
+//! syntax and no values.
+
+mod body;
+mod expressions;
+mod later;
+mod law;
+mod load;
+mod observe;
+mod run;
+
+use crate::schema::{Declaration, Vocabulary};
+
+pub(super) use body::{BODY, SYMMETRY};
+pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES};
+pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
+pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, PULL, SLIDE, START, TRACTION};
+pub(super) use observe::{FRAMES, PLOT, RECORD};
+pub(super) use run::RUN;
+
+static BLOCKS: &[&Declaration] = &[
+    &ENERGY,
+    &MATERIAL,
+    &FRAME,
+    &SCENE,
+    &BODY,
+    &SYMMETRY,
+    &HOLD,
+    &SLIDE,
+    &PULL,
+    &TRACTION,
+    &BODY_FORCE,
+    &GRAVITY,
+    &START,
+    &RUN,
+    &RECORD,
+    &FRAMES,
+    &PLOT,
+    &later::CHECK,
+    &later::DRIVE,
+    &later::FIT,
+    &later::SWEEP,
+    &later::TRADE,
+    &later::MOTION,
+    &later::PRESSURE,
+];
+
+static VOCABULARY: Vocabulary = Vocabulary {
+    blocks: BLOCKS,
+    words: &[FUNCTIONS, ENERGY_WORDS, PLACE_WORDS, PROBES, FIELD_WORDS, SAMPLES, later::STATEMENTS],
+};
+
+/// The words of this version of the language.
+pub fn vocabulary() -> &'static Vocabulary {
+    &VOCABULARY
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schema::explain;
+
+    #[test]
+    fn every_block_key_and_word_can_be_explained() {
+        for block in vocabulary().blocks {
+            assert!(explain(vocabulary(), block.word).is_some_and(|text| text.contains(block.doc)));
+            for key in block.keys {
+                let text = explain(vocabulary(), &format!("{}.{}", block.word, key.name))
+                    .expect("a key is explained");
+                assert!(text.contains(key.doc), "{text}");
+            }
+        }
+        for word in vocabulary().all_words() {
+            assert!(explain(vocabulary(), word.word).is_some_and(|text| text.contains(word.doc)));
+        }
+        assert_eq!(explain(vocabulary(), "no_such_word"), None);
+    }
+
+    #[test]
+    fn no_block_declares_a_key_twice() {
+        for block in vocabulary().blocks {
+            for (index, key) in block.keys.iter().enumerate() {
+                assert!(
+                    block.keys[..index].iter().all(|other| other.name != key.name),
+                    "{}.{}",
+                    block.word,
+                    key.name
+                );
+            }
+        }
+    }
+}

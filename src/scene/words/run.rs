@@ -1,0 +1,148 @@
+//! `run`: end time and numerical choices.
+
+use crate::schema::{Choice, Declaration, Kind, Parameter, Presence, Target};
+
+const SCHEMES: &[Choice] = &[
+    Choice { word: "seed", doc: "the paper as printed" },
+    Choice {
+        word: "improved",
+        doc: "with linear interface states, integration consistency and velocity Verlet",
+    },
+];
+
+const FORMULATIONS: &[Choice] = &[
+    Choice { word: "auto", doc: "the smallest that loses nothing" },
+    Choice { word: "pF", doc: "H and J derived from F" },
+    Choice { word: "pFJ", doc: "J evolved, H derived" },
+    Choice { word: "pFHJ", doc: "H and J evolved" },
+];
+
+const LOADINGS: &[Choice] = &[
+    Choice { word: "dynamic", doc: "inertia is part of the answer" },
+    Choice {
+        word: "quasi_static",
+        doc: "inertia is an error to be kept small: affine start, damped relative to it",
+    },
+];
+
+const INTEGRATORS: &[Choice] = &[
+    Choice { word: "tvd_rk2", doc: "two-stage TVD Runge-Kutta, the paper's" },
+    Choice { word: "velocity_verlet", doc: "velocity Verlet" },
+];
+
+const KERNELS: &[Choice] = &[
+    Choice { word: "wendland_c2", doc: "Wendland's C2 function of support 2 h" },
+    Choice { word: "cubic_spline", doc: "the cubic B-spline of support 2 h" },
+];
+
+const STATES: &[Choice] = &[
+    Choice { word: "off", doc: "no dissipation of momentum" },
+    Choice { word: "constant", doc: "the particles' own momenta" },
+    Choice { word: "linear", doc: "carried to the middle of the pair with the corrected gradient" },
+];
+
+/// `on` and `off`.
+const SWITCH: &[Choice] = &[Choice { word: "on", doc: "yes" }, Choice { word: "off", doc: "no" }];
+
+/// `run { … }`
+pub(in crate::scene) static RUN: Declaration = Declaration {
+    word: "run",
+    doc: "The end time and the numerical choices.",
+    within: Some("scene"),
+    target: Target::Absent,
+    keys: &[
+        Parameter {
+            name: "until",
+            kind: Kind::Quantity("time"),
+            presence: Presence::Required("until = 2 ms"),
+            doc: "End time.",
+        },
+        Parameter {
+            name: "scheme",
+            kind: Kind::Choice(SCHEMES),
+            presence: Presence::Default("improved"),
+            doc: "The set the defaults of the other choices come from.",
+        },
+        Parameter {
+            name: "formulation",
+            kind: Kind::Choice(FORMULATIONS),
+            presence: Presence::ByScheme { seed: "pFHJ", improved: "auto" },
+            doc: "Which maps are evolved beside momentum and deformation gradient.",
+        },
+        Parameter {
+            name: "loading",
+            kind: Kind::Choice(LOADINGS),
+            presence: Presence::Default("dynamic"),
+            doc: "Whether inertia is part of the answer.",
+        },
+        Parameter {
+            name: "damping",
+            kind: Kind::Quantity("frequency"),
+            presence: Presence::Default("chosen by the plan"),
+            doc: "Damping rate of quasi-static loading, relative to the affine motion.",
+        },
+        Parameter {
+            name: "integrator",
+            kind: Kind::Choice(INTEGRATORS),
+            presence: Presence::ByScheme { seed: "tvd_rk2", improved: "velocity_verlet" },
+            doc: "How time is stepped.",
+        },
+        Parameter {
+            name: "cfl",
+            kind: Kind::Quantity("number"),
+            presence: Presence::ByScheme { seed: "0.3", improved: "0.9, or 0.3 with tvd_rk2" },
+            doc: "The time step as a fraction of the time a pressure wave takes from particle to particle.",
+        },
+        Parameter {
+            name: "kernel",
+            kind: Kind::Choice(KERNELS),
+            presence: Presence::Default("wendland_c2"),
+            doc: "The smoothing kernel.",
+        },
+        Parameter {
+            name: "smoothing",
+            kind: Kind::Quantity("number"),
+            presence: Presence::Default("1.01"),
+            doc: "Smoothing length as a multiple of the spacing; the kernel reaches twice as far.",
+        },
+        Parameter {
+            name: "integration_consistency",
+            kind: Kind::Choice(SWITCH),
+            presence: Presence::ByScheme { seed: "off", improved: "on" },
+            doc: "Whether the gradients are corrected so that uniform stress is in equilibrium with its tractions.",
+        },
+        Parameter {
+            name: "momentum_dissipation",
+            kind: Kind::Choice(STATES),
+            presence: Presence::ByScheme { seed: "constant", improved: "linear" },
+            doc: "The states between which the Riemann solver upwinds momentum.",
+        },
+        Parameter {
+            name: "pressure_wave_weight",
+            kind: Kind::Quantity("number"),
+            presence: Presence::Default("1"),
+            doc: "Factor of the pressure wave speed in the momentum dissipation.",
+        },
+        Parameter {
+            name: "shear_wave_weight",
+            kind: Kind::Quantity("number"),
+            presence: Presence::Default("1"),
+            doc: "Factor of the shear wave speed in the momentum dissipation.",
+        },
+        Parameter {
+            name: "volume_dissipation",
+            kind: Kind::Choice(SWITCH),
+            presence: Presence::ByScheme { seed: "on", improved: "off" },
+            doc: "Whether the volume map is upwinded; it needs a formulation that evolves J.",
+        },
+        Parameter {
+            name: "wave_speed_every",
+            kind: Kind::Count,
+            presence: Presence::ByScheme { seed: "0", improved: "10" },
+            doc: "Steps between two refreshes of the wave speed; 0 keeps the speed at rest.",
+        },
+    ],
+    members: &[],
+    example: "run { until = 2 ms  loading = quasi_static }",
+    available: true,
+};
