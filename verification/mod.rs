@@ -6,7 +6,7 @@
 
 use super::claim::Claim;
 
-mod benchmarks;
+pub(crate) mod benchmarks;
 mod conservation;
 mod consistency;
 mod discretisation;

@@ -1,6 +1,53 @@
 //! Arguments, exit codes, progress.
+//!
+//! Owns the terminal: the only place that reads arguments and prints. Everything it does is a call
+//! of the layers above.
+
+mod arguments;
+mod check;
+mod explain;
+mod input;
+mod plan;
+mod progress;
+mod run;
+mod verify;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// Everything asked for was done and holds.
+    Fine,
+    /// A claim, an expectation or a run failed.
+    Failed,
+    /// The input or the command line is wrong.
+    WrongInput,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        match exit {
+            Exit::Fine => Self::SUCCESS,
+            Exit::Failed => Self::from(1),
+            Exit::WrongInput => Self::from(2),
+        }
+    }
+}
 
 /// Runs the tool on the process's arguments.
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+///
+/// Wrong arguments end the process with exit code 2 and the usage.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let exit = match arguments.command {
+        Command::Check(options) => check::check(&options),
+        Command::Plan(options) => plan::plan(&options),
+        Command::Run(options) => run::run(&options),
+        Command::Verify(options) => verify::verify(&options),
+        Command::Explain(options) => explain::explain(&options),
+    };
+    exit.into()
 }

@@ -15,7 +15,6 @@ mod stretch;
 mod tangent;
 mod trace;
 mod wave;
-mod wave_block;
 
 #[cfg(test)]
 mod tests;

@@ -75,6 +75,39 @@ pub fn judge(expectation: &Expectation, tables: &[Table]) -> ExpectationVerdict 
     verdict
 }
 
+/// What an expectation measures on tables that are wrong, for a report that shows it can fail.
+///
+/// Of an equality the left side's records are off by twenty tolerances (of a number of that size),
+/// of a comparison the left side is twenty times beyond the right, of a decrease time runs backwards.
+/// `None` where nothing could be measured in the first place.
+pub fn control(expectation: &Expectation, tables: &[Table]) -> Option<f64> {
+    match &expectation.judgement {
+        Judgement::NeverGrows { record, column } => {
+            let mut values = column_of(tables, record, column).ok()?;
+            values.reverse();
+            Some(growth(&values).0)
+        }
+        Judgement::Compare { left, right, relation: Relation::Equal, tolerance, at, .. } => {
+            let first = at.as_ref().map(|(record, column, values)| At { record, column, value: values[0] });
+            let (left, right) =
+                (side(left, first.as_ref(), tables).ok()?, side(right, first.as_ref(), tables).ok()?);
+            let displaced = |by: f64| (left + by - right).abs();
+            Some(match tolerance {
+                Some(Tolerance::Relative(share)) => displaced(WRONG * share * right) / right.abs(),
+                Some(Tolerance::Absolute(bound)) => displaced(WRONG * bound),
+                None => displaced(right.abs().max(1.0)),
+            })
+        }
+        Judgement::Compare { right, at, .. } => {
+            let first = at.as_ref().map(|(record, column, values)| At { record, column, value: values[0] });
+            Some(WRONG * side(right, first.as_ref(), tables).ok()?)
+        }
+    }
+}
+
+/// By how many tolerances a control is off.
+const WRONG: f64 = 20.0;
+
 /// Largest rise above the running minimum, the largest magnitude, and the row of the rise.
 fn growth(values: &[f64]) -> (f64, f64, usize) {
     let (mut least, mut worst, mut scale, mut at) = (f64::INFINITY, 0.0, 0.0_f64, 0);

@@ -27,6 +27,7 @@ pub struct Simulation {
     time: f64,
     steps: u64,
     evaluations: u64,
+    refreshes: usize,
     stable_step: f64,
     last_step: f64,
     workspaces: Workspaces,
@@ -50,6 +51,7 @@ impl Simulation {
             time: 0.0,
             steps: 0,
             evaluations: 0,
+            refreshes: 0,
             stable_step: 0.0,
             last_step: 0.0,
             workspaces: Workspaces::new(),
@@ -297,7 +299,7 @@ impl Simulation {
         let mut stable = f64::INFINITY;
         for body in &mut self.bodies {
             if self.run.wave_speed_every > 0 {
-                wave_speeds(body, &self.workspaces);
+                wave_speeds(body, self.refreshes, &self.workspaces);
             }
             let (speed, particle) = body.fastest;
             let required = self.run.cfl * body.particles.spacing / speed;
@@ -316,6 +318,7 @@ impl Simulation {
             }
             stable = stable.min(required);
         }
+        self.refreshes += 1;
         self.stable_step = stable;
         Ok(())
     }

@@ -5,6 +5,7 @@
 
 pub mod claim;
 pub mod report;
+mod scenes;
 
 #[path = "../../verification/mod.rs"]
 mod claims;
@@ -12,3 +13,9 @@ mod claims;
 pub use claim::{Claim, Topic, Verdict};
 pub use claims::quick;
 pub use report::Report;
+pub use scenes::{benchmark, scene_verdicts};
+
+/// The quick claims of some topics.
+pub fn claims_of(topics: &[Topic]) -> Vec<Claim> {
+    quick().into_iter().filter(|claim| topics.contains(&claim.topic)).collect()
+}

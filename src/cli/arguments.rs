@@ -1,0 +1,120 @@
+//! The command line as clap declares it.
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Anisotropic hyperelastic soft tissue by mixed total-Lagrangian SPH, verified.
+#[derive(Debug, Parser)]
+#[command(
+    name = "tissue",
+    version,
+    after_help = "Exit codes: 0 fine, 1 a claim or a run failed, 2 the input or the command line is wrong."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What the tool does.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Audit files: language, units, scenes, materials; runs nothing
+    Check(CheckOptions),
+    /// Print what a scene models, what it leaves out, and why
+    Plan(PlanOptions),
+    /// Run a file's scenes; write tables, frames, figures and run.json
+    Run(RunOptions),
+    /// Hold every claim and expect line against its bound, with a control that must fail
+    Verify(VerifyOptions),
+    /// Explain a word of the language
+    Explain(ExplainOptions),
+}
+
+/// Options of `check`.
+#[derive(Debug, Args)]
+pub struct CheckOptions {
+    /// The files
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Print the mistakes and reports as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `plan`.
+#[derive(Debug, Args)]
+pub struct PlanOptions {
+    /// The file
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Only this scene
+    #[arg(long, value_name = "NAME")]
+    pub scene: Option<String>,
+    /// Put a value in place of the one written: strip.spacing=0.25mm
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = parse_override)]
+    pub overrides: Vec<(String, String)>,
+    /// Also build the scene and print particles, neighbours, bytes, steps and an estimate of the time
+    #[arg(long)]
+    pub cost: bool,
+}
+
+/// Options of `run`.
+#[derive(Debug, Args)]
+pub struct RunOptions {
+    /// The file
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Folder to write to; one folder a scene below it if the file has several [default: out/<file>/<scene>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Threads to compute on; results do not depend on it [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Put a value in place of the one written: strip.spacing=0.25mm
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = parse_override)]
+    pub overrides: Vec<(String, String)>,
+    /// Only this scene
+    #[arg(long, value_name = "NAME")]
+    pub scene: Option<String>,
+    /// Replace the results of an earlier run in the output folder
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Options of `verify`.
+#[derive(Debug, Args)]
+pub struct VerifyOptions {
+    /// Topics: language, energies, discretisation, conservation, consistency, convergence, benchmarks,
+    /// figures [default: all]
+    #[arg(value_name = "TOPIC")]
+    pub topics: Vec<String>,
+    /// Write the verdicts as JSON as well
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// Replace the JSON file if it exists
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+/// Options of `explain`.
+#[derive(Debug, Args)]
+pub struct ExplainOptions {
+    /// The word
+    #[arg(value_name = "WORD")]
+    pub word: String,
+}
+
+/// Splits `path=value`.
+fn parse_override(text: &str) -> Result<(String, String), String> {
+    let (path, value) = text
+        .split_once('=')
+        .ok_or_else(|| "write PATH=VALUE, for example strip.spacing=0.25mm".to_string())?;
+    if path.trim().is_empty() || value.trim().is_empty() {
+        return Err("write PATH=VALUE, for example strip.spacing=0.25mm".into());
+    }
+    Ok((path.trim().into(), value.trim().into()))
+}

@@ -1,0 +1,67 @@
+//! `tissue check`.
+
+use super::Exit;
+use super::arguments::CheckOptions;
+use super::input::{Input, count, read};
+use serde_json::{Value, json};
+
+/// Audits files; runs nothing.
+pub fn check(options: &CheckOptions) -> Exit {
+    let mut exit = Exit::Fine;
+    let mut documents = Vec::new();
+    for file in &options.files {
+        match read(file, &[]) {
+            Err(message) => {
+                exit = Exit::WrongInput;
+                if options.json {
+                    documents.push(json!({ "file": file.to_string_lossy(), "error": message }));
+                } else {
+                    eprintln!("{message}");
+                }
+            }
+            Ok(input) => {
+                if !input.mistakes.is_empty() {
+                    exit = Exit::WrongInput;
+                }
+                if options.json {
+                    documents.push(as_json(&input));
+                } else {
+                    print(&input);
+                }
+            }
+        }
+    }
+    if options.json {
+        println!("{:#}", Value::Array(documents));
+    }
+    exit
+}
+
+fn print(input: &Input) {
+    for mistake in &input.mistakes {
+        eprintln!("{}", mistake.render());
+    }
+    if input.mistakes.is_empty() {
+        let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
+        println!("{}: no mistakes", input.name);
+        println!(
+            "  materials  {}",
+            names(input.document.materials.iter().map(|m| m.name.as_str()).collect())
+        );
+        println!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
+    } else {
+        eprintln!("{}: {}", input.name, count(input.mistakes.len()));
+    }
+}
+
+fn as_json(input: &Input) -> Value {
+    let mistakes: Vec<Value> =
+        input.mistakes.iter().map(|mistake| mistake.diagnostic.to_json(&mistake.source)).collect();
+    json!({
+        "file": input.name,
+        "hash": input.hash,
+        "mistakes": mistakes,
+        "materials": input.document.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
+        "scenes": input.document.scenes.iter().map(|s| &s.name).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,20 @@
+//! `tissue explain`.
+
+use super::Exit;
+use super::arguments::ExplainOptions;
+use crate::scene::vocabulary;
+use crate::schema;
+
+/// Prints what a word of the language means.
+pub fn explain(options: &ExplainOptions) -> Exit {
+    if let Some(text) = schema::explain(vocabulary(), &options.word) {
+        print!("{text}");
+        return Exit::Fine;
+    }
+    let words = vocabulary().all_words().map(|word| word.word);
+    match schema::nearest(&options.word, words) {
+        Some(near) => eprintln!("error: no word `{}` in the language; did you mean `{near}`?", options.word),
+        None => eprintln!("error: no word `{}` in the language", options.word),
+    }
+    Exit::WrongInput
+}
