@@ -11,7 +11,7 @@ pub mod provenance;
 pub mod report;
 pub mod table;
 
-pub use figure::{Axis, Figure, FigureError, Mark, Scale, Series, Slope};
+pub use figure::{Axis, FieldFigure, Figure, FigureError, Mark, Panel, Scale, Series, Slope, View};
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;

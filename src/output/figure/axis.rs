@@ -113,8 +113,15 @@ fn step(least: f64) -> (i64, i32) {
     enough.map_or((1, power + 1), |factor| (factor, power))
 }
 
+/// The largest of 1, 2, 5 times a power of ten that is not above `most`.
+pub(super) fn round_below(most: f64) -> f64 {
+    let power = libm::floor(libm::log10(most)) as i32;
+    let candidates = [ten(5, power), ten(2, power), ten(1, power), ten(5, power - 1)];
+    candidates.into_iter().find(|&length| length <= most).unwrap_or(most)
+}
+
 /// `m · 10^e`, correctly rounded because it is read as decimal text.
-fn ten(m: i64, e: i32) -> f64 {
+pub(super) fn ten(m: i64, e: i32) -> f64 {
     format!("{m}e{e}").parse().expect("an integer, `e` and an integer are a number")
 }
 

@@ -161,6 +161,25 @@ impl Canvas<'_> {
         self.area.draw(&Circle::new(centre, radius, stroke(colour, 1.75))).map_err(drawing)
     }
 
+    /// A filled shape a little larger than its corners, so that neighbours leave no gap.
+    pub(super) fn patch(&self, corners: &[Point], colour: Colour) -> Result<(), FigureError> {
+        let n = corners.len() as f64;
+        let centre =
+            (corners.iter().map(|c| c.0).sum::<f64>() / n, corners.iter().map(|c| c.1).sum::<f64>() / n);
+        let grown = |&(x, y): &Point| {
+            let away = (x - centre.0, y - centre.1);
+            let length = libm::hypot(away.0, away.1).max(1e-9);
+            steps((x + 0.6 * away.0 / length, y + 0.6 * away.1 / length))
+        };
+        let path: Vec<(i32, i32)> = corners.iter().map(grown).collect();
+        self.area.draw(&Polygon::new(path, filled(colour))).map_err(drawing)
+    }
+
+    /// A filled disc without an outline.
+    pub(super) fn dot(&self, centre: Point, radius: f64, colour: Colour) -> Result<(), FigureError> {
+        self.area.draw(&Circle::new(steps(centre), step(radius), filled(colour))).map_err(drawing)
+    }
+
     /// A filled rectangle between two corners.
     pub(super) fn box_filled(&self, from: Point, to: Point, colour: Colour) -> Result<(), FigureError> {
         self.area.draw(&Rectangle::new([steps(from), steps(to)], filled(colour))).map_err(drawing)

@@ -21,7 +21,7 @@ const TICK: f64 = 6.0;
 
 /// The rectangle of the axes on the page, units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct Area {
     pub(super) left: f64,
     pub(super) right: f64,
     pub(super) top: f64,
@@ -45,7 +45,7 @@ struct Plot<'a> {
     figure: &'a Figure,
     x: Ruler,
     y: Ruler,
-    frame: Frame,
+    frame: Area,
     legend: Legend<'a>,
     /// Upper left of the legend; rows above the axes where absent.
     corner: Option<Point>,
@@ -65,7 +65,7 @@ impl<'a> Plot<'a> {
         let y = Ruler::new(&figure.y, low, high);
         let widest = y.major.iter().map(|(_, text)| text_width(text, SMALL)).fold(0.0, f64::max);
         let overhang = x.major.last().map_or(0.0, |(_, text)| 0.5 * text_width(text, SMALL));
-        let frame = Frame {
+        let frame = Area {
             left: 12.0 + LARGE + 8.0 + widest + 4.0 + TICK,
             right: f64::from(WIDTH) - overhang.max(10.0) - 8.0,
             top: if figure.title.is_empty() { 18.0 } else { 46.0 },
@@ -82,7 +82,7 @@ impl<'a> Plot<'a> {
 
     /// Place of a value pair on the page.
     fn place(&self, &(x, y): &(f64, f64)) -> Point {
-        let Frame { left, right, top, bottom } = self.frame;
+        let Area { left, right, top, bottom } = self.frame;
         (left + (right - left) * self.x.fraction(x), bottom - (bottom - top) * self.y.fraction(y))
     }
 
@@ -123,7 +123,7 @@ impl<'a> Plot<'a> {
         match self.corner {
             Some(corner) => self.legend.draw_column(canvas, corner),
             None => {
-                let Frame { left, right, top, .. } = self.frame;
+                let Area { left, right, top, .. } = self.frame;
                 let height = self.legend.rows_height(right - left);
                 self.legend.draw_rows(canvas, (left, top - height - 6.0), right - left)
             }
@@ -131,7 +131,7 @@ impl<'a> Plot<'a> {
     }
 
     fn draw_axes(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
-        let Frame { left, right, top, bottom } = self.frame;
+        let Area { left, right, top, bottom } = self.frame;
         let across = |value: f64| left + (right - left) * self.x.fraction(value);
         let up = |value: f64| bottom - (bottom - top) * self.y.fraction(value);
         for (value, _) in &self.x.major {
@@ -279,7 +279,7 @@ mod tests {
     fn every_point_is_drawn_inside_the_axes() {
         for figure in [force(), orders(), crowded()] {
             let plot = Plot::new(&figure);
-            let Frame { left, right, top, bottom } = plot.frame;
+            let Area { left, right, top, bottom } = plot.frame;
             assert!(left > 0.0 && right < 640.0 && top > 0.0 && bottom < 480.0);
             for (x, y) in plot.drawn() {
                 assert!(

@@ -3,7 +3,7 @@
 //! Owns its place and its drawing.
 
 use super::canvas::{Anchor, Canvas, Point, text_width};
-use super::curves::Frame;
+use super::curves::Area;
 use super::mark::draw_mark;
 use super::model::{Figure, FigureError, Mark};
 use super::palette::{self, PAPER};
@@ -50,7 +50,7 @@ impl<'a> Legend<'a> {
     }
 
     /// The upper left of the column at the corner where it covers none of `drawn`, if there is one.
-    pub(super) fn free_corner(&self, frame: &Frame, drawn: &[Point]) -> Option<Point> {
+    pub(super) fn free_corner(&self, frame: &Area, drawn: &[Point]) -> Option<Point> {
         let (width, height) = (self.width() + 8.0, ROW * self.entries.len() as f64 + 8.0);
         let (left, right) = (frame.left + INSET, frame.right - INSET - width);
         let (top, bottom) = (frame.top + INSET, frame.bottom - INSET - height);

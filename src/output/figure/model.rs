@@ -107,6 +107,19 @@ pub enum FigureError {
         /// The series named.
         series: usize,
     },
+    /// A frame has no such field or component.
+    NoField {
+        /// Name of the field.
+        field: String,
+        /// Component asked for.
+        component: usize,
+    },
+    /// A panel lacks values, names corners that do not exist, or has no size of its discs; or the range
+    /// of the colours is none.
+    Panel {
+        /// Its caption.
+        caption: String,
+    },
     /// The drawing library failed.
     Drawing {
         /// What it reported.
@@ -128,6 +141,10 @@ impl fmt::Display for FigureError {
                 f,
                 "a slope under series {series} requires two logarithmic axes, two points and an order"
             ),
+            Self::NoField { field, component } => {
+                write!(f, "the frame has no component {component} of a field `{field}`")
+            }
+            Self::Panel { caption } => write!(f, "panel `{caption}` is not complete"),
             Self::Drawing { cause } => write!(f, "drawing failed: {cause}"),
         }
     }
