@@ -22,15 +22,26 @@ pub enum DiscretisationError {
         /// Its value, m.
         value: f64,
     },
-    /// The spacing divides the edges so differently that neighbours would differ between axes.
+    /// The spacing divides the edges so differently that neighbours would differ between them.
     UnevenSpacing {
         /// The spacing asked for, m.
         requested: f64,
-        /// What the nearest whole counts give along x, y, z, m.
-        actual: [f64; 3],
+        /// Least spacing the nearest whole counts give, m.
+        least: f64,
+        /// Greatest spacing the nearest whole counts give, m.
+        greatest: f64,
         /// The nearest spacing that divides all edges well, m.
         suggestion: f64,
     },
+    /// A radius is smaller than the spacing, so the lattice would not see it.
+    FeatureTooSmall {
+        /// The radius, m.
+        radius: f64,
+        /// The spacing, m.
+        spacing: f64,
+    },
+    /// A union or difference that is not extruded from one plane region.
+    NotAPrism,
     /// The random displacement of nodes must lie in [0, 0.5) spacings.
     BadJitter {
         /// The fraction asked for.
@@ -95,10 +106,18 @@ impl fmt::Display for DiscretisationError {
             Self::BadDimension { name, value } => {
                 write!(f, "{name} {value:e} m is not a positive, finite length")
             }
-            Self::UnevenSpacing { requested, actual: [x, y, z], suggestion } => write!(
+            Self::UnevenSpacing { requested, least, greatest, suggestion } => write!(
                 f,
-                "spacing {requested:.6e} m does not divide the edges: the nearest is {x:.6e} m along x, \
-                 {y:.6e} m along y, {z:.6e} m along z; {suggestion:.6e} m does"
+                "spacing {requested:.6e} m does not divide the edges: whole counts give {least:.6e} m to \
+                 {greatest:.6e} m; {suggestion:.6e} m does"
+            ),
+            Self::FeatureTooSmall { radius, spacing } => {
+                write!(f, "a radius of {radius:.4e} m is below the spacing, {spacing:.4e} m")
+            }
+            Self::NotAPrism => write!(
+                f,
+                "unions and differences are of bodies along one axis: the parts of a union end together, \
+                 and what is taken away reaches through"
             ),
             Self::BadJitter { jitter } => {
                 write!(f, "jitter {jitter} is outside [0, 0.5), a fraction of the spacing")

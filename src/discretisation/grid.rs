@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 pub(super) struct Grid {
     /// Nodes, m.
     pub node: Vec<Vec3>,
-    /// Corners of each cell, in the order of VTK's hexahedron.
+    /// Corners of each cell, in the order of VTK's hexahedron; a wedge has two corners twice.
     pub cell: Vec<[u32; 8]>,
 }
 
@@ -113,16 +113,24 @@ impl Grid {
     /// Quadrilaterals that belong to one cell only, each counter-clockwise seen from outside, in the
     /// order of their cells.
     pub fn boundary(&self) -> Vec<[u32; 4]> {
-        let mut count: BTreeMap<[u32; 4], u32> = BTreeMap::new();
-        let key = |mut quad: [u32; 4]| {
-            quad.sort_unstable();
-            quad
-        };
-        let sides = || self.cell.iter().flat_map(|cell| SIDES.map(|side| side.map(|corner| cell[corner])));
-        for quad in sides() {
-            *count.entry(key(quad)).or_insert(0) += 1;
+        let mut sides: Vec<([u32; 4], u32, [u32; 4])> = Vec::with_capacity(6 * self.cell.len());
+        for cell in &self.cell {
+            for side in SIDES {
+                let quad = side.map(|corner| cell[corner]);
+                // the side of a wedge that is a line
+                if quad[0] == quad[1] && quad[2] == quad[3] || quad[0] == quad[3] && quad[1] == quad[2] {
+                    continue;
+                }
+                let mut key = quad;
+                key.sort_unstable();
+                sides.push((key, sides.len() as u32, quad));
+            }
         }
-        sides().filter(|&quad| count[&key(quad)] == 1).collect()
+        sides.sort_unstable();
+        let mut single: Vec<_> =
+            sides.chunk_by(|s, t| s.0 == t.0).filter(|same| same.len() == 1).map(|same| same[0]).collect();
+        single.sort_unstable_by_key(|side| side.1);
+        single.into_iter().map(|side| side.2).collect()
     }
 
     /// Turns the grid into particles: each node with the integral of its shape function, each boundary
@@ -131,14 +139,14 @@ impl Grid {
     /// | argument | meaning | unit |
     /// |---|---|---|
     /// | `spacing` | spacing the smoothing length is measured by | m |
-    /// | `name` | face of a boundary quadrilateral, from its corners | – |
+    /// | `name` | face of a boundary quadrilateral, from its nodes | – |
     ///
     /// # Errors
     /// [`DiscretisationError::InvertedCell`] if a cell is turned inside out.
     pub fn into_particles(
         self,
         spacing: f64,
-        name: impl Fn(&[Vec3; 4]) -> String,
+        name: impl Fn(&[u32; 4]) -> String,
     ) -> Result<Particles, DiscretisationError> {
         let mut volume = vec![0.0; self.node.len()];
         let mut least_spacing = f64::INFINITY;
@@ -146,7 +154,6 @@ impl Grid {
             let corner = cell.map(|a| self.node[a as usize]);
             let (integral, determinant) = cell_integrals(&corner);
             let scale = spacing * spacing * spacing / 8.0;
-            // a cell of a hundredth of a regular one's volume is no use either: its nodes carry no mass
             if determinant.is_nan() || determinant <= 0.0 {
                 let position = corner.iter().sum::<Vec3>() / 8.0;
                 return Err(DiscretisationError::InvertedCell { position, determinant: determinant / scale });
@@ -155,7 +162,9 @@ impl Grid {
                 volume[a as usize] += v;
             }
             for [a, b] in EDGES {
-                least_spacing = least_spacing.min((corner[a] - corner[b]).norm());
+                if cell[a] != cell[b] {
+                    least_spacing = least_spacing.min((corner[a] - corner[b]).norm());
+                }
             }
         }
         let faces = self.faces(name);
@@ -164,10 +173,10 @@ impl Grid {
     }
 
     /// Boundary faces in the order of their names.
-    fn faces(&self, name: impl Fn(&[Vec3; 4]) -> String) -> Vec<FaceNodes> {
+    fn faces(&self, name: impl Fn(&[u32; 4]) -> String) -> Vec<FaceNodes> {
         let mut quads: BTreeMap<String, Vec<[u32; 4]>> = BTreeMap::new();
         for quad in self.boundary() {
-            quads.entry(name(&quad.map(|a| self.node[a as usize]))).or_default().push(quad);
+            quads.entry(name(&quad)).or_default().push(quad);
         }
         let face = |(name, quads): (String, Vec<[u32; 4]>)| {
             let mut area: BTreeMap<u32, Vec3> = BTreeMap::new();

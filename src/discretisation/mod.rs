@@ -10,8 +10,12 @@ mod integration;
 mod kernel;
 mod lattice;
 mod neighbour;
+mod outline;
 mod particles;
+mod planar;
+mod prism;
 mod shape;
+mod stability;
 mod stencil;
 
 pub use error::DiscretisationError;

@@ -3,7 +3,6 @@
 //! Owns the arrays a body is given to the solver as. Knows no kernel.
 
 use super::error::DiscretisationError;
-use super::lattice;
 use super::shape::Shape;
 use crate::tensor::Vec3;
 
@@ -20,7 +19,8 @@ pub struct Particles {
     pub spacing: f64,
     /// Shortest edge of the background grid, at most `spacing`, m.
     pub least_spacing: f64,
-    /// Cells of the background grid, corners in the order of VTK's hexahedron.
+    /// Cells of the background grid, corners in the order of VTK's hexahedron; a wedge has two
+    /// corners twice.
     pub cells: Vec<[u32; 8]>,
 }
 
@@ -45,7 +45,7 @@ impl Particles {
     /// | `shape` | the whole body | – |
     /// | `spacing` | spacing asked for; [`Particles::spacing`] is what fits the shape | m |
     /// | `symmetry` | planes normal to x, y, z; the part of greater coordinates is kept | m |
-    /// | `jitter` | bound of each component of the nodes' random displacement, in spacings | – |
+    /// | `jitter` | bound of each component of the nodes' random displacement, in shortest edges at the node | – |
     ///
     /// The displacement is the same in every run. A face cut by a plane is named `symmetry_x`,
     /// `symmetry_y` or `symmetry_z` and carries its areas like every other.
@@ -58,9 +58,7 @@ impl Particles {
         symmetry: [Option<f64>; 3],
         jitter: f64,
     ) -> Result<Self, DiscretisationError> {
-        match shape {
-            Shape::Box { min, max } => lattice::of_box(min, max, spacing, symmetry, jitter),
-        }
+        shape.prism()?.particles(spacing, symmetry, jitter)
     }
 
     /// How many nodes there are.

@@ -43,7 +43,7 @@ fn areas(particles: &Particles, stencils: &Stencils) -> f64 {
 
 /// Largest force left over at a node, over the squared spacing and `|P|`: internal force as (32) prints
 /// it, pair by pair, against the traction.
-fn imbalance(particles: &Particles, stencils: &Stencils) -> f64 {
+pub(super) fn imbalance(particles: &Particles, stencils: &Stencils) -> f64 {
     let p = stress();
     let area = particles.boundary_area();
     let miss = |a: usize| {

@@ -8,6 +8,7 @@ mod areas;
 mod equilibrium;
 mod order;
 mod reproduction;
+mod shapes;
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[
@@ -22,6 +23,9 @@ pub(crate) const CLAIMS: &[Claim] = &[
     order::INSIDE,
     order::EVERYWHERE,
     order::JITTERED,
+    shapes::VOLUME,
+    shapes::AFFINE_MAP,
+    shapes::UNIFORM_TRACTION,
 ];
 
 /// Kernels every claim is measured for.
