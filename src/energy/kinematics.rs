@@ -9,7 +9,7 @@ use super::raw::Raw;
 use super::stretch;
 use crate::tensor::Mat3;
 
-const ZERO: Row = [0.0; LANES];
+pub(super) const ZERO: Row = [0.0; LANES];
 
 /// Components of a vector, lane by lane.
 pub(super) type Vector = [Row; 3];
@@ -34,9 +34,9 @@ pub(super) struct Block {
     pub(super) h: Tensor,
     pub(super) j: Row,
     /// `a`
-    directions: Vec<Vector>,
+    pub(super) directions: Vec<Vector>,
     /// `F a`
-    images: Vec<Vector>,
+    pub(super) images: Vec<Vector>,
     /// `C a`
     pulled: Vec<Vector>,
     /// Principal stretches, descending.

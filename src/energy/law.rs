@@ -8,7 +8,7 @@ use super::kinematics::{Block, Conjugate, Reads};
 use super::program::{LANES, Program, Row};
 use super::raw::Raw;
 use super::trace::Source;
-use super::wave::Search;
+use super::wave_block::Tangents;
 use crate::expression::Tape;
 use crate::tensor::{Mat3, Vec3};
 
@@ -52,7 +52,7 @@ pub struct Scratch {
     pub(super) rows: Vec<Row>,
     pub(super) block: Block,
     pub(super) sigma: Conjugate,
-    pub(super) search: Search,
+    pub(super) tangents: Tangents,
 }
 
 /// Stresses conjugate to the three maps, Pa.

@@ -15,6 +15,7 @@ mod stretch;
 mod tangent;
 mod trace;
 mod wave;
+mod wave_block;
 
 #[cfg(test)]
 mod tests;

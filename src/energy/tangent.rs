@@ -2,7 +2,6 @@
 
 use super::kinematics::Reads;
 use super::law::{Directions, Law, Maps, Scratch};
-use super::program::Program;
 use super::raw::Raw;
 use super::stretch;
 use super::trace::pair;
@@ -29,15 +28,7 @@ pub enum Kink {
 /// The limit errs by the square of the difference (1e-10), the quotient by round-off over it (1e-11).
 const EQUAL_STRETCHES: f64 = 1e-5;
 
-/// What the tangent of one particle is put together from, kept between particles.
-#[derive(Debug, Clone, Default)]
-pub(super) struct TangentWork {
-    derivatives: Derivatives,
-    gradients: Vec<Column>,
-}
-
 /// First and second derivatives by the raw invariants at one state.
-#[derive(Debug, Clone, Default)]
 struct Derivatives {
     first: Vec<f64>,
     second: Vec<f64>,
@@ -61,55 +52,9 @@ impl Law {
     /// # Panics
     /// If `directions` holds fewer than the law reads.
     pub fn tangent(&self, f: &Mat3, directions: &[Vec3], kink: Kink) -> Tangent {
-        let maps = Maps { f: &[*f], h: None, j: None };
-        let directions_of = Directions::Uniform(directions);
-        self.check(&maps, &directions_of, 1);
-        let mut scratch = Scratch::default();
-        self.load_derivatives(&maps, &directions_of, 0, kink, &mut scratch);
-        let mut work = TangentWork::default();
-        self.tangent_of_lane(f, directions, kink, 0, &scratch, &mut work)
-    }
-
-    /// Runs the program of second derivatives over the block that starts at `start`.
-    pub(super) fn load_derivatives(
-        &self,
-        maps: &Maps,
-        directions: &Directions,
-        start: usize,
-        kink: Kink,
-        scratch: &mut Scratch,
-    ) {
-        let program = self.second_derivatives(kink);
-        self.prepare(program, scratch);
-        scratch.block.load(maps, directions, start, self.reads);
-        self.run(program, scratch);
-    }
-
-    fn second_derivatives(&self, kink: Kink) -> &Program {
-        &self.hessians[usize::from(kink == Kink::Taut)]
-    }
-
-    /// Tangent of one particle of the block [`Law::load_derivatives`] has run over.
-    pub(super) fn tangent_of_lane(
-        &self,
-        f: &Mat3,
-        directions: &[Vec3],
-        kink: Kink,
-        lane: usize,
-        scratch: &Scratch,
-        work: &mut TangentWork,
-    ) -> Tangent {
-        let outputs = self.second_derivatives(kink).outputs();
-        let value = |&register: &u32| scratch.rows[register as usize][lane];
-        let (first, second) = outputs.split_at(self.raws.len());
-        work.derivatives.first.clear();
-        work.derivatives.first.extend(first.iter().map(value));
-        work.derivatives.second.clear();
-        work.derivatives.second.extend(second.iter().map(value));
-        let TangentWork { derivatives, gradients } = work;
+        let derivatives = self.derivatives(f, directions, kink);
         let geometry = Geometry::new(f, directions, self.reads);
-        gradients.clear();
-        gradients.extend(self.raws.iter().map(|&raw| geometry.gradient(raw)));
+        let gradients: Vec<Column> = self.raws.iter().map(|&raw| geometry.gradient(raw)).collect();
         let mut tangent = Tangent::zeros();
         for l in 0..self.raws.len() {
             for k in 0..=l {
@@ -136,7 +81,7 @@ impl Law {
             column += Column::from_column_slice(change.as_slice());
         }
         if self.reads.stretch {
-            tangent += self.stretch_rotation(&geometry, derivatives);
+            tangent += self.stretch_rotation(&geometry, &derivatives);
         }
         tangent
     }
@@ -151,6 +96,21 @@ impl Law {
     /// If `directions` holds fewer than the law reads.
     pub fn acoustic_tensor(&self, f: &Mat3, directions: &[Vec3], n: &Vec3) -> Mat3 {
         acoustic_tensor(&self.tangent(f, directions, Kink::Taut), n)
+    }
+
+    fn derivatives(&self, f: &Mat3, directions: &[Vec3], kink: Kink) -> Derivatives {
+        let program = &self.hessians[usize::from(kink == Kink::Taut)];
+        let maps = Maps { f: &[*f], h: None, j: None };
+        let directions = Directions::Uniform(directions);
+        self.check(&maps, &directions, 1);
+        let mut scratch = Scratch::default();
+        self.prepare(program, &mut scratch);
+        scratch.block.load(&maps, &directions, 0, self.reads);
+        self.run(program, &mut scratch);
+        let values: Vec<f64> =
+            program.outputs().iter().map(|&register| scratch.rows[register as usize][0]).collect();
+        let (first, second) = values.split_at(self.raws.len());
+        Derivatives { first: first.to_vec(), second: second.to_vec() }
     }
 
     /// `Σ_i g_i ∂²λ_i/∂F∂F`: what turning the principal directions adds.

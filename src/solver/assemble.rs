@@ -112,12 +112,7 @@ fn blocks(count: usize, plan: &Plan, saves: bool) -> Vec<Block> {
         .step_by(CHUNK)
         .map(|start| {
             let len = CHUNK.min(count - start);
-            let mut block = Block {
-                start,
-                f: vec![Mat3::identity(); len],
-                wave_normals: vec![Vec3::zeros(); len],
-                ..Block::default()
-            };
+            let mut block = Block { start, f: vec![Mat3::identity(); len], ..Block::default() };
             if plan.carries(Field::AreaMap) {
                 block.h = vec![Mat3::identity(); len];
             }

@@ -29,8 +29,6 @@ pub struct Block {
     pub volume_dissipation: Vec<f64>,
     /// Copies of `f`, `h`, `j` at the start of a Runge–Kutta step.
     pub saved: (Vec<Mat3>, Vec<Mat3>, Vec<f64>),
-    /// Direction of the fastest wave of each particle at the last refresh, zero before the first.
-    pub wave_normals: Vec<Vec3>,
     /// First particle of the chunk whose state is inadmissible.
     pub failure: Option<Failure>,
     /// Greatest wave speed in the chunk at the last refresh and its particle, m/s.

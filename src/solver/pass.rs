@@ -251,19 +251,15 @@ impl ForceChunk<'_> {
 }
 
 /// Refreshes the greatest wave speed of a body.
-///
-/// `round` counts the refreshes, see [`crate::energy::Law::wave_speed_block`].
-pub fn wave_speeds(body: &mut BodyState, round: usize, workspaces: &Workspaces) {
+pub fn wave_speeds(body: &mut BodyState, workspaces: &Workspaces) {
     let BodyState { blocks, law, directions, density, .. } = body;
     blocks.par_iter_mut().for_each(|block| {
         let workspace = &mut *workspaces.get();
         workspace.numbers.resize(CHUNK, 0.0);
         let speeds = &mut workspace.numbers[..block.f.len()];
         let at = directions.slice(block.start, block.f.len());
-        let mut normals = std::mem::take(&mut block.wave_normals);
         let energy = &mut workspace.energy;
-        law.wave_speed_block(block.maps(), at, *density, round, &mut normals, speeds, energy);
-        block.wave_normals = normals;
+        law.wave_speed_block(block.maps(), at, *density, speeds, energy);
         block.fastest = (0.0, block.start);
         for (i, &speed) in speeds.iter().enumerate() {
             // a comparison that a NaN wins, so that it is found out instead of dropped

@@ -27,7 +27,6 @@ pub struct Simulation {
     time: f64,
     steps: u64,
     evaluations: u64,
-    refreshes: usize,
     stable_step: f64,
     last_step: f64,
     workspaces: Workspaces,
@@ -51,7 +50,6 @@ impl Simulation {
             time: 0.0,
             steps: 0,
             evaluations: 0,
-            refreshes: 0,
             stable_step: 0.0,
             last_step: 0.0,
             workspaces: Workspaces::new(),
@@ -299,7 +297,7 @@ impl Simulation {
         let mut stable = f64::INFINITY;
         for body in &mut self.bodies {
             if self.run.wave_speed_every > 0 {
-                wave_speeds(body, self.refreshes, &self.workspaces);
+                wave_speeds(body, &self.workspaces);
             }
             let (speed, particle) = body.fastest;
             let required = self.run.cfl * body.particles.spacing / speed;
@@ -318,7 +316,6 @@ impl Simulation {
             }
             stable = stable.min(required);
         }
-        self.refreshes += 1;
         self.stable_step = stable;
         Ok(())
     }

@@ -49,8 +49,10 @@ pub(super) struct Scan {
     pub tokens: Vec<Token>,
     /// Lexical mistakes in order.
     pub mistakes: Vec<Diagnostic>,
-    /// Ranges to be read as blanks, and what to put at their start to stand for a value.
-    pub blanked: Vec<(Span, &'static str)>,
+    /// Ranges to be read as blanks.
+    pub blanked: Vec<Span>,
+    /// Texts that lack their closing quote.
+    pub unclosed: Vec<Span>,
 }
 
 /// Whether a character can start an identifier.
@@ -76,7 +78,7 @@ pub(super) fn scan(text: &str) -> Scan {
                 continue;
             }
             '\u{feff}' if at == 0 => {
-                scan.blanked.push((0..c.len_utf8(), ""));
+                scan.blanked.push(0..c.len_utf8());
                 at += c.len_utf8();
                 continue;
             }
@@ -152,7 +154,8 @@ fn text_length(rest: &str) -> Option<usize> {
 /// Up to what probably follows the forgotten quote.
 fn unclosed_length(rest: &str) -> usize {
     let line = rest.find(['\n', '\r']).unwrap_or(rest.len());
-    rest[..line].find([',', ')', ']', '}', '#']).unwrap_or(line)
+    let length = rest[..line].find([',', ')', ']', '}', '#']).unwrap_or(line);
+    rest[..length].trim_end().len()
 }
 
 impl Scan {
@@ -166,7 +169,7 @@ impl Scan {
             )
             .with_help("close the text with `\"`"),
         );
-        self.blanked.push((span.clone(), if span.len() >= 2 { "\"\"" } else { "0" }));
+        self.unclosed.push(span);
     }
 
     fn unknown(&mut self, text: &str, span: Span) {
@@ -208,7 +211,7 @@ impl Scan {
         let mut mistake = Diagnostic::new(Code::UnknownCharacter, shown, span.clone(), "");
         mistake.help = help.map(Into::into);
         self.mistakes.push(mistake);
-        self.blanked.push((span, ""));
+        self.blanked.push(span);
     }
 }
 

@@ -203,3 +203,8 @@ impl Random {
         *nalgebra::Rotation3::from_axis_angle(&axis, self.around_zero(3.0)).matrix()
     }
 }
+
+/// The larger of two errors, or the one that is not a number: `f64::max` would drop it.
+pub(crate) fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
+}

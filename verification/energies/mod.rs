@@ -22,6 +22,7 @@ pub(crate) const CLAIMS: &[Claim] = &[
     known_values::COMPRESSED_FIBRE,
     known_values::WAVE_SPEEDS,
     known_values::FASTEST_WAVE,
+    known_values::WAVE_ESTIMATE,
     known_values::PULLED_STRIP,
 ];
 

@@ -10,8 +10,6 @@ use pest::iterators::{Pair, Pairs};
 
 /// Builds one tree.
 pub(super) struct Builder<'a> {
-    /// The text as given: where texts in quotes were mended it differs from what was recognised.
-    original: &'a str,
     comments: Comments<'a>,
     pub(super) expressions: Vec<Expr>,
     pub(super) mistakes: Vec<Diagnostic>,
@@ -78,7 +76,7 @@ pub(super) fn only_value(tree: &SyntaxTree) -> Option<ExprId> {
 impl<'a> Builder<'a> {
     pub(super) fn new(work: &'a str, original: &'a str, comments: &'a [Token]) -> Self {
         let comments = Comments { work, original, tokens: comments };
-        Self { original, comments, expressions: Vec::new(), mistakes: Vec::new() }
+        Self { comments, expressions: Vec::new(), mistakes: Vec::new() }
     }
 
     pub(super) fn file(&mut self, pairs: Pairs<'_, Rule>) -> SyntaxTree {
@@ -93,10 +91,11 @@ impl<'a> Builder<'a> {
         SyntaxTree { version: None, items, expressions: std::mem::take(&mut self.expressions) }
     }
 
-    /// The content of a text in quotes.
-    pub(super) fn text_of(&self, pair: &Pair<'_, Rule>) -> String {
-        let written = &self.original[span(pair)];
-        written.trim_matches('"').into()
+    /// The content of a text in quotes, `None` if its quote was missing and is reported.
+    pub(super) fn text_of(&self, pair: &Pair<'_, Rule>) -> Option<String> {
+        let written = self.comments.original.get(span(pair))?;
+        let content = written.strip_prefix('"')?.strip_suffix('"')?;
+        (written == pair.as_str()).then(|| content.into())
     }
 
     fn import(&mut self, pair: Pair<'_, Rule>) -> Option<Import> {
@@ -104,7 +103,7 @@ impl<'a> Builder<'a> {
         let mut parts = parts(pair);
         let source = parts.next()?;
         let from = match source.as_rule() {
-            Rule::text => ImportFrom::File(self.text_of(&source), span(&source)),
+            Rule::text => ImportFrom::File(self.text_of(&source)?, span(&source)),
             _ => ImportFrom::Library(path(source)),
         };
         Some(Import { from, names: parts.map(|p| name(&p)).collect(), span: whole })

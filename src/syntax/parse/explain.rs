@@ -77,6 +77,11 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// Whether no blank stands before a token.
+    fn touches(&self, i: usize) -> bool {
+        i > 0 && self.span(i - 1).end == self.span(i).start
+    }
+
     fn same_line(&self) -> bool {
         self.found > 0 && !self.text[self.span(self.found - 1).end..self.found_span().start].contains('\n')
     }
@@ -88,11 +93,15 @@ impl<'a> Context<'a> {
     /// Habits from other languages.
     fn foreign(&self) -> Option<Diagnostic> {
         let (last, found) = (self.before(1), self.at(self.found));
-        let touching = self.found > 0 && self.span(self.found - 1).end == self.found_span().start;
+        let touching = self.touches(self.found);
         let help = match (last, found) {
             ("*", "*") if touching => "write a power with `^`",
             ("/", "/" | "*") if touching => "a comment starts with `#`",
             (":", "=") if touching => "write `=`",
+            (_, ":") if self.at(self.found + 1) == "=" && self.touches(self.found + 1) => "write `=`",
+            (_, "+" | "-" | "*" | "/") if self.at(self.found + 1) == "=" && self.touches(self.found + 1) => {
+                "there are no updates; give the value with `=`"
+            }
             ("+" | "-" | "*" | "/", "=") if touching => "there are no updates; give the value with `=`",
             ("=", "==") | ("==", "=") => "a value is given with one `=`, equality is claimed with `==`",
             (_, ".") if self.before_kind(1) == Some(TokenKind::Number) => {
@@ -123,7 +132,7 @@ impl<'a> Context<'a> {
             return None;
         }
         let message = format!("a value is missing after `{last}`, found {}", self.found_words());
-        let next_entry = self.kind(self.found) == Some(TokenKind::Name) && self.at(self.found + 1) == "=";
+        let next_entry = self.kind(self.found) == Some(TokenKind::Name);
         let label = if next_entry { "the next entry starts here" } else { "expected a value" };
         let mistake = self.here(Code::ExpectedValue, message, label);
         let help = match (last, self.at(self.found)) {
@@ -132,6 +141,7 @@ impl<'a> Context<'a> {
         };
         Some(match help {
             Some(help) => mistake.with_help(help),
+            None if self.same_line() => mistake,
             None => mistake.with_label(self.span(self.found - 1), "a value must follow"),
         })
     }
@@ -164,14 +174,11 @@ impl<'a> Context<'a> {
             self.open.is_none() && (1..8).any(line) && self.before_kind(1) != Some(TokenKind::Close);
         if !opened && !unopened {
             return match (self.open, self.at(self.found), self.before(1)) {
-                (Some(_), "import", _) | (Some(_), _, "import") => Some(
-                    self.here(
-                        Code::UnexpectedToken,
-                        "an import stands outside of blocks".into(),
-                        "inside a block",
-                    )
-                    .with_help("move it to the top of the file"),
-                ),
+                (Some(_), _, "import") => {
+                    let (message, span) = ("an import stands outside of blocks", self.span(self.found - 1));
+                    let mistake = Diagnostic::new(Code::UnexpectedToken, message, span, "inside a block");
+                    Some(mistake.with_help("move it to the top of the file"))
+                }
                 _ => None,
             };
         }
@@ -247,6 +254,13 @@ impl<'a> Context<'a> {
                 )
             }
             Some(TokenKind::Symbol) if found == "=" && last_kind == TokenKind::Name => self.unknown_word(),
+            Some(TokenKind::Symbol) if found == "=" && ends_value => {
+                let message = "`=` gives a value to a name, and no name stands before it".to_string();
+                Some(
+                    self.here(Code::UnexpectedToken, message, "")
+                        .with_help("compare with `==`, in an `expect`"),
+                )
+            }
             _ if last_kind == TokenKind::Name && !mid_value => {
                 let message =
                     format!("`{last}` is no entry by itself, found {} behind it", self.found_words());

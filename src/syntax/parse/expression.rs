@@ -125,7 +125,7 @@ impl Builder<'_> {
         match pair.as_rule() {
             Rule::number => self.number(pair),
             Rule::text => {
-                let text = self.text_of(&pair);
+                let text = self.text_of(&pair)?;
                 self.push(ExprKind::Text(text), span)
             }
             Rule::reference => {

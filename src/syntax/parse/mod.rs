@@ -146,9 +146,15 @@ impl<'a> Reading<'a> {
         let (comments, tokens) = scanned.tokens.into_iter().partition(|t| t.kind == TokenKind::Comment);
         let mut reading =
             Self { text, work: text.as_bytes().to_vec(), tokens, comments, mistakes: scanned.mistakes };
-        for (span, instead) in scanned.blanked {
+        for span in scanned.blanked {
             reading.blank_bytes(&span);
-            reading.work[span.start..span.start + instead.len()].copy_from_slice(instead.as_bytes());
+        }
+        // So that the rest of the entry is read: a text in quotes as long as what was written, or a number.
+        for span in scanned.unclosed {
+            reading.blank_bytes(&span);
+            let quote = if span.len() > 1 { b'"' } else { b'0' };
+            reading.work[span.start] = quote;
+            reading.work[span.end - 1] = quote;
         }
         reading
     }
@@ -180,8 +186,11 @@ impl<'a> Reading<'a> {
                     return tree;
                 }
                 Err(failure) => {
-                    self.mistakes.push(explain::explain(self.text, &self.tokens, &failure));
                     let span = recover::entry_around(self.text, &self.tokens, failure.at);
+                    // Where characters were left out, the rest need not make sense.
+                    if !self.has_lexical_mistake(&span, failure.at) {
+                        self.mistakes.push(explain::explain(self.text, &self.tokens, &failure));
+                    }
                     self.blank(&span);
                     budget = budget.saturating_sub(work.len());
                     if self.mistakes.len() >= MAX_MISTAKES || budget == 0 {
@@ -190,6 +199,13 @@ impl<'a> Reading<'a> {
                 }
             }
         }
+    }
+
+    fn has_lexical_mistake(&self, entry: &Span, failure: usize) -> bool {
+        let lexical = |m: &&Diagnostic| matches!(m.code, Code::UnknownCharacter | Code::UnclosedText);
+        let labels = self.mistakes.iter().filter(lexical).flat_map(|m| &m.labels);
+        let end = entry.end.max(failure);
+        labels.into_iter().any(|l| (entry.start..end).contains(&l.span.start))
     }
 
     fn finish(mut self) -> Vec<Diagnostic> {
@@ -229,5 +245,9 @@ fn recognise(work: &str) -> Result<Pairs<'_, Rule>, Failure> {
     })
 }
 
+#[cfg(test)]
+mod grammar_examples;
+#[cfg(test)]
+mod mistakes;
 #[cfg(test)]
 mod tests;

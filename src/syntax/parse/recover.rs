@@ -62,11 +62,15 @@ fn starts(text: &str, tokens: &[Token], from: usize, to: usize) -> Vec<usize> {
                 let new_line = before.is_none_or(|t| text[t.span.end..tokens[i].span.start].contains('\n'));
                 let assigned = tokens.get(i + 1).is_some_and(|t| t.text(text) == "=");
                 let word = WORDS.contains(&tokens[i].text(text));
+                let at = before.is_some_and(|t| t.text(text) == "at");
                 // In `let x = …`, and in `lett x = …`, the entry starts with the word.
                 let behind_start = found.last().is_some_and(|s| s + 1 == i);
                 let behind_word =
                     before.is_some_and(|t| behind_start || WORDS.contains(&t.text(text))) && !new_line;
-                if !joined && !behind_word && (new_line || assigned || word) {
+                let member =
+                    before.is_some_and(|t| t.text(text) == "." && t.span.end == tokens[i].span.start);
+                // Before `=` a name starts an entry, as does a word, even where the entry before lacks its value.
+                if !member && !at && !behind_word && (assigned || word || !joined && new_line) {
                     found.push(i);
                 }
             }

@@ -163,13 +163,13 @@ fn greek_names_tabs_crlf_and_a_byte_order_mark_are_read() {
 
 #[test]
 fn spans_hold_what_was_written_and_no_blanks() {
-    let text = "tissue 1\na { b = f( x , 2 kPa ) . y + ( c )  }\n";
+    let text = "tissue 1\na { b = f( x , 2 kPa ) .y + ( c )  }\n";
     let (tree, mistakes) = parse(&source(text));
     assert_eq!(mistakes, []);
     let spans: Vec<&str> = tree.expressions.iter().map(|e| &text[e.span.clone()]).collect();
     assert_eq!(
         spans,
-        ["x", "2 kPa", "f( x , 2 kPa )", "f( x , 2 kPa ) . y", "( c )", "f( x , 2 kPa ) . y + ( c )"]
+        ["x", "2 kPa", "f( x , 2 kPa )", "f( x , 2 kPa ) .y", "( c )", "f( x , 2 kPa ) .y + ( c )"]
     );
 }
 
