@@ -1,26 +1,341 @@
-//! The specs of this repository resolve to the scenes they describe.
+//! Files resolve to the materials and scenes they describe: SI numbers, formulas, every name bound.
 
+use std::collections::BTreeMap;
+use tissue::discretisation::{Consistency, Kernel, Shape};
+use tissue::energy::{Invariant, Leaf};
+use tissue::expression::Tape;
 use tissue::scene::*;
 use tissue::syntax::Source;
+use tissue::tensor::Vec3;
 
-fn resolve_text(name: &str, text: &str, overrides: &[(&str, &str)]) -> (Document, Vec<Mistake>) {
+fn resolve_with(name: &str, text: &str, overrides: &[(&str, &str)]) -> (Document, Vec<Mistake>) {
     let overrides: Vec<(String, String)> =
         overrides.iter().map(|(path, value)| (path.to_string(), value.to_string())).collect();
     resolve(&Source { name: name.into(), text: text.into() }, &FileSystem, &overrides)
 }
 
+fn whole((document, mistakes): (Document, Vec<Mistake>)) -> Document {
+    let rendered: String = mistakes.iter().map(Mistake::render).collect();
+    assert!(mistakes.is_empty(), "{rendered}");
+    document
+}
+
 fn axial(overrides: &[(&str, &str)]) -> Scene {
     let name = "specs/artery/axial.tissue";
     let text = std::fs::read_to_string(name).expect("the spec is in the repository");
-    let (document, mistakes) = resolve_text(name, &text, overrides);
-    let rendered: String = mistakes.iter().map(Mistake::render).collect();
-    assert!(mistakes.is_empty(), "{rendered}");
-    assert_eq!(document.materials.len(), 1);
+    let document = whole(resolve_with(name, &text, overrides));
     document.scenes.into_iter().next().expect("the spec holds a scene")
 }
 
+fn at(tape: &Tape<Coordinate>, x: [f64; 3], t: f64) -> f64 {
+    let leaf = |leaf: &Coordinate| match leaf {
+        Coordinate::X(axis) => x[usize::from(*axis)],
+        Coordinate::Time => t,
+    };
+    tape.evaluate(leaf, &mut Vec::new())
+}
+
+/// The energy at invariants given by a function, the parameters as in the file.
+fn energy(material: &Material, invariant: impl Fn(Invariant) -> f64) -> f64 {
+    let leaf = |leaf: &Leaf| match leaf {
+        Leaf::Parameter(index) => material.parameters[*index as usize].value,
+        Leaf::Invariant(which) => invariant(*which),
+    };
+    material.energy.evaluate(leaf, &mut Vec::new())
+}
+
 #[test]
-fn the_axial_strip_resolves() {
+fn the_axial_strip_is_the_body_the_spec_describes() {
     let scene = axial(&[]);
-    assert_eq!(scene.bodies.len(), 1);
+    let [body] = scene.bodies.as_slice() else { panic!("one body") };
+    let half = Vec3::new(5e-3, 1.5e-3, 0.25e-3);
+    assert_eq!(body.shape, Shape::Box { min: -half, max: half });
+    assert_eq!((body.name.as_str(), body.spacing, body.jitter), ("strip", 0.125e-3, 0.0));
+    assert!(scene.symmetry.iter().all(|plane| plane.as_ref().is_some_and(|plane| plane.at == 0.0)));
+    assert_eq!(scene.materials[body.material].density, 1000.0);
+}
+
+#[test]
+fn the_adventitias_energy_is_the_formula_of_the_paper() {
+    let scene = axial(&[]);
+    let material = &scene.materials[0];
+    // Equations 46 and 47 with Table 1, written by hand.
+    let (c, k1, k2, kappa, d) = (7640.0, 996.6e3, 524.6, 0.226, 1e-7);
+    for (i1, i4, j) in [(3.0, [1.0, 1.0], 1.0), (3.1, [1.08, 0.9], 1.002), (3.02, [1.01, 1.03], 0.97)] {
+        let fibre = |i4: f64| {
+            let e: f64 = kappa * (i1 - 3.0) + (1.0 - 3.0 * kappa) * (i4 - 1.0);
+            f64::exp(k2 * e.max(0.0).powi(2)) - 1.0
+        };
+        let psi = c * (i1 - 3.0)
+            + k1 / (2.0 * k2) * (fibre(i4[0]) + fibre(i4[1]))
+            + ((j * j - 1.0) / 2.0 - f64::ln(j)) / d;
+        let computed = energy(material, |invariant| match invariant {
+            Invariant::I1Bar => i1,
+            Invariant::I4Bar(a) => i4[usize::from(a)],
+            Invariant::J => j,
+            other => panic!("the energy reads {other:?}"),
+        });
+        // Some thirty operations, the exponent of at most 12 amplifying the error of its argument.
+        assert!((computed - psi).abs() <= 1e-13 * psi.abs(), "{computed} {psi}");
+    }
+}
+
+#[test]
+fn the_fibres_are_tilted_from_theta_towards_z() {
+    let scene = axial(&[]);
+    let angle = 49.98 * std::f64::consts::PI / 180.0;
+    let directions = &scene.materials[0].directions;
+    assert_eq!(directions.len(), 2);
+    for (direction, sign) in directions.iter().zip([1.0, -1.0]) {
+        let found = direction.components.each_ref().map(|tape| at(tape, [0.0; 3], 0.0));
+        let expected = [sign * f64::sin(angle), f64::cos(angle), 0.0];
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-15);
+        }
+    }
+}
+
+#[test]
+fn the_grip_is_pulled_smoothly_and_then_held() {
+    let scene = axial(&[]);
+    let [pull] = scene.prescribed.as_slice() else { panic!("one support") };
+    assert_eq!((pull.word.as_str(), pull.region.face.as_str()), ("pull", "xmax"));
+    let [Some(x), Some(y), Some(z)] = &pull.displacement else { panic!("a rigid grip prescribes all") };
+    assert_eq!((y, z), (&Tape::constant(0.0), &Tape::constant(0.0)));
+    let u = |t| at(x, [0.0; 3], t);
+    // 10 s³ − 15 s⁴ + 6 s⁵ is ½ at s = ½ and 53/512 at s = ¼.
+    assert_eq!(u(0.0), 0.0);
+    assert!((u(1.5e-3) - 1e-3 * 53.0 / 512.0).abs() < 1e-18);
+    assert!((u(3e-3) - 0.5e-3).abs() < 1e-18);
+    assert_eq!((u(6e-3), u(9e-3)), (1e-3, 1e-3));
+    // The velocity vanishes at both ends like the square of the distance: 30 s² (1 − s)² · 1 mm/6 ms.
+    let s = 1e-6 / 6e-3;
+    let expected = 30.0 * s * s * (1.0 - s) * (1.0 - s) / 6.0;
+    for t in [1e-6, 6e-3 - 1e-6] {
+        let velocity = (u(t + 1e-8) - u(t - 1e-8)) / 2e-8;
+        // Differences of values of 1 mm, each rounded to 1e-19 m, over 2e-8 s; their own error is 3e-5.
+        assert!((velocity - expected).abs() < 1e-4 * expected + 1e-11, "{velocity} {expected}");
+    }
+}
+
+#[test]
+fn what_is_recorded_and_expected_is_bound_to_its_columns() {
+    let scene = axial(&[]);
+    let pull = &scene.records[0];
+    // 0.03 is rounded, and rounded again when it is divided by 1000.
+    assert!(pull.name == "pull" && (pull.every - 0.03e-3).abs() <= 0.03e-3 * f64::EPSILON);
+    let units: Vec<_> =
+        pull.columns.iter().map(|column| (column.name.as_str(), column.unit.as_str())).collect();
+    assert_eq!(units, [("d", "m"), ("F", "N")]);
+    assert_eq!(pull.columns[0].text, "2*displacement(strip.xmax).x");
+    let region = Region { body: 0, face: "xmax".into() };
+    assert_eq!(pull.columns[1].value, Tape::leaf(Probe::Reaction { region, axis: 0 }));
+    let section = Probe::SectionForce { body: 0, normal: 0, at: 0.0, axis: 0 };
+    assert_eq!(scene.records[1].columns[0].value, Tape::leaf(section));
+
+    let Judgement::Compare { left, right, tolerance, at, .. } = &scene.expectations[0].judgement else {
+        panic!("a comparison")
+    };
+    assert_eq!(left, &Tape::leaf(Sample::Column { record: "pull".into(), column: "d".into() }));
+    assert_eq!(tolerance, &Some(Tolerance::Relative(0.005)));
+    assert_eq!(at, &Some(("pull".into(), "F".into(), vec![0.5, 1.0])));
+    let Some(Sample::Reference { reference, column }) = right.leaves().next() else { panic!("a reference") };
+    assert_eq!(column, "d");
+    // The file's second row: 0.25 mm at 0.004497578873 N.
+    let value = |name: &str| {
+        let (_, values) = reference.columns.iter().find(|(column, _)| column == name).expect("a column");
+        values[1]
+    };
+    assert_eq!((value("d"), value("F")), (0.25e-3, 0.004497578873));
+
+    let Judgement::Compare { at, .. } = &scene.expectations[3].judgement else { panic!("a comparison") };
+    assert_eq!(at, &Some(("checks".into(), "t".into(), vec![6e-3])));
+    assert_eq!(scene.plots[0].points[0].reference.columns.len(), 2);
+    assert_eq!(scene.frames[0].values.len(), 6);
+}
+
+#[test]
+fn values_given_on_the_command_line_replace_those_written() {
+    let scene = axial(&[
+        ("strip.spacing", "0.25mm"),
+        ("run.until", "8 ms"),
+        ("adventitia.kappa", "0"),
+        ("axial.run.cfl", "0.5"),
+        ("pull.every", "1 ms"),
+    ]);
+    assert_eq!(scene.bodies[0].spacing, 0.25e-3);
+    assert_eq!((scene.run.until, scene.run.cfl), (8e-3, 0.5));
+    assert_eq!(scene.materials[0].parameters[0].value, 0.0);
+    assert_eq!(scene.records[0].every, 1e-3);
+}
+
+#[test]
+fn a_wrong_value_on_the_command_line_is_a_mistake() {
+    let text = std::fs::read_to_string("specs/artery/axial.tissue").expect("the spec is in the repository");
+    let told = |path: &str, value: &str| {
+        let (_, mistakes) = resolve_with("specs/artery/axial.tissue", &text, &[(path, value)]);
+        mistakes.iter().map(Mistake::render).collect::<Vec<_>>().join("\n")
+    };
+    insta::assert_snapshot!(
+        [
+            told("strp.spacing", "0.25 mm"),
+            told("strip.spacing", "0.25"),
+            told("adventitia.kappa", "0.5"),
+            told("run.integrator", "verlet"),
+            told("strip.spacing", "0.25 mm +"),
+            told("strip.spacing", "1 mm } body x { shape = 1"),
+        ]
+        .join("\n")
+    );
+}
+
+#[test]
+fn a_scheme_fills_in_what_is_not_written() {
+    let run = |entries: &str| {
+        let text = format!(
+            "tissue 1\nimport std.energies {{ neo_hooke, vol_quadratic }}\n\
+             material gel {{ energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 1 MPa)  density = 1000 kg/m^3 }}\n\
+             scene s {{ body b {{ shape = box(1 m, 1 m, 1 m)  spacing = 0.1 m  material = gel }}\n\
+             run {{ until = 1 s  {entries} }} }}"
+        );
+        whole(resolve_with("text", &text, &[])).scenes.remove(0).run
+    };
+    let seed = run("scheme = seed");
+    assert_eq!((seed.integrator, seed.cfl), (Integrator::TvdRk2, 0.3));
+    assert_eq!((seed.formulation, seed.volume_dissipation), (Some(Formulation::Pfhj), true));
+    assert_eq!(
+        (seed.consistency, seed.momentum_dissipation),
+        (Consistency::Kernel, InterfaceStates::Constant)
+    );
+    assert_eq!((seed.wave_speed_every, seed.smoothing), (0, 1.01));
+    let improved = run("scheme = improved");
+    assert_eq!((improved.integrator, improved.cfl), (Integrator::VelocityVerlet, 0.9));
+    assert_eq!((improved.formulation, improved.volume_dissipation), (None, false));
+    assert_eq!(improved.consistency, Consistency::Integration);
+    assert_eq!((improved.momentum_dissipation, improved.wave_speed_every), (InterfaceStates::Linear, 10));
+    assert_eq!(improved.written, ["until", "scheme"]);
+    assert_eq!(run("integrator = tvd_rk2").cfl, 0.3);
+    assert_eq!(run("integrator = tvd_rk2  cfl = 0.2").cfl, 0.2);
+    assert_eq!(run("kernel = cubic_spline").kernel, Kernel::CubicSpline);
+    assert_eq!(run("").loading, Loading::Dynamic);
+    let quasi_static = run("loading = quasi_static  damping = 100 s^-1");
+    assert_eq!(quasi_static.loading, Loading::QuasiStatic { damping: Some(100.0) });
+}
+
+const LAWS: &str = "tissue 1
+energy holzapfel_ogden {
+  param a_f : pressure > 0
+  param a_fs : pressure > 0
+  direction f
+  direction s
+  let stretch(d) = I4(d) - 1
+  psi = a_f*pos(stretch(f))^2 + a_fs*I8(f, s)^2 + a_fs*E(s, f)^2
+}
+energy ogden {
+  param mu[n]    : pressure
+  param alpha[n] : number
+  psi = sum(i in 1 .. n, mu[i]/alpha[i] * (lam1bar^alpha[i] + lam2bar^alpha[i] + lam3bar^alpha[i] - 3))
+}
+energy vol {
+  param K : pressure > 0 = 1 MPa
+  psi = K/2 * (J - 1)^2
+}
+material heart {
+  param scale : number > 0 = 2
+  let a = scale * 3 kPa
+  energy  = holzapfel_ogden(a_f = a, a_fs = 2 kPa, f = f0, s = sheet) + ogden(mu = [630 kPa, -10 kPa], alpha = [1.3, -2]) + vol()
+  density = 1060 kg/m^3
+  frame { other = [0, 0, 1]  sheet = [0, 1, 0] }
+  fibre f0 = [1, 0, 0]
+}
+";
+
+#[test]
+fn directions_arrays_and_lets_reach_the_energy() {
+    let document = whole(resolve_with("laws.tissue", LAWS, &[]));
+    let heart = &document.materials[0];
+    let names: Vec<&str> = heart.directions.iter().map(|direction| direction.name.as_str()).collect();
+    // The fibre, and of the frame only what the energy names.
+    assert_eq!(names, ["f0", "sheet"]);
+    let names: Vec<&str> = heart.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    let expected = [
+        "scale",
+        "holzapfel_ogden.a_fs",
+        "ogden.mu[1]",
+        "ogden.mu[2]",
+        "ogden.alpha[1]",
+        "ogden.alpha[2]",
+        "vol.K",
+    ];
+    assert_eq!(names, expected);
+    let (i4, i8, e, lam, j) = (1.2, 0.1, 0.05, [1.1, 1.0, 0.9], 1.01);
+    let computed = energy(heart, |invariant| match invariant {
+        Invariant::I4(0) => i4,
+        Invariant::I8(0, 1) => i8,
+        Invariant::Green(0, 1) => e,
+        Invariant::StretchBar(index) => lam[usize::from(index)],
+        Invariant::J => j,
+        other => panic!("the energy reads {other:?}"),
+    });
+    let term =
+        |mu: f64, alpha: f64| mu / alpha * (lam.iter().map(|l| f64::powf(*l, alpha)).sum::<f64>() - 3.0);
+    let psi = 6e3 * (i4 - 1.0f64).powi(2)
+        + 2e3 * i8 * i8
+        + 2e3 * e * e
+        + term(630e3, 1.3)
+        + term(-10e3, -2.0)
+        + 0.5e6 * (j - 1.0f64).powi(2);
+    assert!((computed - psi).abs() < 1e-12 * psi.abs(), "{computed} {psi}");
+}
+
+#[test]
+fn a_field_may_depend_on_place() {
+    let text = "tissue 1
+import \"gel.tissue\" { gel }
+scene punch {
+  let H = 1 m
+  body plate { shape = box(4 m, 4 m, H, centre = [0 m, 0 m, H/2])  spacing = 0.5 m  material = gel }
+  symmetry { planes = [x, y] }
+  slide plate.zmin { normal = 0 m }
+  start plate { velocity = if(r <= 0.8 m, [0 m/s, 0 m/s, -10 m/s * Z/H], [0 m/s, 0 m/s, 0 m/s]) }
+  traction plate.xmax { value = [1 kPa * t/1 s, 0 Pa, 0 Pa] }
+  gravity { acceleration = [0 m/s^2, 0 m/s^2, -9.81 m/s^2] }
+  run { until = 0.2 s }
+  record centre {
+    uz = displacement(at = [0 m, 0 m, H]).z  p = at(plate, [1 m, 1 m, 0 m], pressure)  s = max(sigma.xz)  every = 1 ms
+  }
+  expect never_grows(centre.uz)
+}
+";
+    let gel = "tissue 1\nimport std.energies { neo_hooke, vol_quadratic }\nmaterial gel {
+  param E  : pressure > 0       = 50.05 kPa
+  param nu : number in [0, 0.5) = 0.499
+  energy  = neo_hooke(mu = E/(2*(1 + nu))) + vol_quadratic(K = E/(3*(1 - 2*nu)))
+  density = 1000 kg/m^3
+}\n";
+    let files = Memory { files: BTreeMap::from([("specs/gel.tissue".into(), gel.into())]) };
+    let source = Source { name: "specs/punch.tissue".into(), text: text.into() };
+    let document = whole(resolve(&source, &files, &[]));
+    let scene = &document.scenes[0];
+    let velocity = |x| scene.starts[0].velocity.each_ref().map(|tape| at(tape, x, 0.0));
+    assert_eq!(velocity([0.3, 0.4, 0.25]), [0.0, 0.0, -2.5]);
+    assert_eq!(velocity([0.6, 0.8, 0.25]), [0.0, 0.0, 0.0]);
+    let Load::Traction { traction, .. } = &scene.loads[0] else { panic!("a traction") };
+    assert_eq!(at(&traction[0], [0.0; 3], 0.5), 500.0);
+    assert_eq!(scene.loads[1], {
+        let Load::Gravity { place, .. } = &scene.loads[1] else { panic!("gravity") };
+        Load::Gravity { place: place.clone(), acceleration: [0.0, 0.0, -9.81] }
+    });
+    let slide = &scene.prescribed[0];
+    assert_eq!(slide.displacement, [None, None, Some(Tape::constant(0.0))]);
+    assert_eq!(scene.records[0].columns[2].value, Tape::leaf(Probe::FieldMax(Field::Sigma(0, 2))));
+    assert_eq!(scene.materials[0].parameters.len(), 2);
+}
+
+#[test]
+fn every_energy_of_the_library_is_sound() {
+    for file in library() {
+        let text = format!("tissue 1\nimport std.{} {{ {} }}\n", file.library, file.name);
+        whole(resolve_with("text", &text, &[]));
+    }
 }

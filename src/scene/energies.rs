@@ -19,6 +19,8 @@ pub(super) struct EnergyDef {
     pub(super) file: Rc<File>,
     pub(super) place: Place,
     pub(super) parameters: Vec<ParameterDef>,
+    /// Parameters whose declaration is wrong: known, so that their uses are no further mistakes.
+    broken: Vec<String>,
     /// The word after `fibres`, if the energy sums over the fibres of its material.
     pub(super) fibres: Option<Name>,
     /// Directions bound by arguments.
@@ -38,8 +40,14 @@ pub(super) fn declare(
 ) -> Result<EnergyDef, Reported> {
     let before = mistakes.len();
     let members = Members::read(mistakes, file, &ENERGY, block);
-    let parameters = members.parameters.iter().map(|entry| ParameterDef::read(mistakes, file, entry));
-    let parameters: Vec<ParameterDef> = parameters.filter_map(Result::ok).collect();
+    let mut parameters = Vec::new();
+    let mut broken = Vec::new();
+    for entry in &members.parameters {
+        match ParameterDef::read(mistakes, file, entry) {
+            Ok(parameter) => parameters.push(parameter),
+            Err(Reported) => broken.push(entry.name.text.clone()),
+        }
+    }
     for name in members.names() {
         refuse_taken(mistakes, file, name);
     }
@@ -48,6 +56,7 @@ pub(super) fn declare(
         file: Rc::clone(file),
         place: file.place(&block.kind.span),
         parameters,
+        broken,
         fibres: members.fibres.clone(),
         directions: members.directions.clone(),
         lets: Lets::new(members.lets),
@@ -60,7 +69,11 @@ pub(super) fn declare(
 /// Refuses a name that already means an invariant.
 fn refuse_taken(mistakes: &mut Mistakes, file: &File, name: &Name) {
     if let Some(word) = ENERGY_WORDS.iter().find(|word| word.form == name.text) {
-        let message = format!("`{}` already means something in an energy: {}", name.text, word.doc);
+        let message = format!(
+            "`{}` already means something in an energy: {}",
+            name.text,
+            word.doc.trim_end_matches('.')
+        );
         mistakes.report(file, Code::DuplicateName, name.span.clone(), message, "choose another name", None);
     }
 }
@@ -171,6 +184,9 @@ impl Scope<Leaf> for EnergyScope<'_> {
     fn name(&self, evaluator: &mut Evaluator<Leaf>, name: &Name) -> Option<Outcome> {
         if let Some(value) = self.values.get(&name.text) {
             return Some(Ok(value.clone()));
+        }
+        if self.energy.broken.contains(&name.text) {
+            return Some(Err(Reported));
         }
         if let Some(outcome) = self.lets.name(evaluator, self, name) {
             return Some(outcome);

@@ -3,6 +3,7 @@
 //! Owns the giving of arguments to energies. Knows no scene.
 
 mod directions;
+mod rest;
 mod term;
 
 use super::energies::EnergyDef;
@@ -48,11 +49,9 @@ pub(super) fn read(
     let own = parameters(mistakes, file, &members, &lets, overrides, &name.text);
     let frame = frame(mistakes, file, &members);
     let density = density(mistakes, file, block, &members, &lets, &own);
-    let mut directions = directions::read(mistakes, file, &members, &lets, &own, &frame);
+    let directions = directions::read(mistakes, file, &members, &lets, &own, &frame);
     let energy = members.required(mistakes, file, &MATERIAL, block, "energy");
-    let (density, directions, energy) =
-        (density?, directions.as_mut().map_err(|reported| *reported)?, energy?);
-
+    let energy = energy?;
     let mut evaluator = Evaluator::<Leaf>::new(mistakes);
     evaluator.parameters = own.iter().map(|own| own.value).collect();
     let fibres: Vec<String> = members.fibre.iter().map(|(name, _)| name.text.clone()).collect();
@@ -74,23 +73,22 @@ pub(super) fn read(
     let mut sum = term::Sum::new(&written, energies, &name.text, fibres.len(), listed);
     sum.add(&mut evaluator, energy.id);
     let (total, terms, parameters) = sum.finish();
-    let total = total?;
-    let tape = evaluator.tape(total);
-    let Named::Indices { used, .. } = scope.directions else { return Err(Reported) };
-    let directions = directions.named(fibres.iter().chain(&used.into_inner()));
-    volumetric(mistakes, &energy, &tape, &terms)?;
-    if mistakes.len() > before {
-        return Err(Reported);
-    }
-    Ok(Material {
+    let (total, density, directions) = (total?, density?, directions?);
+    let Named::Indices { used, .. } = &scope.directions else { return Err(Reported) };
+    let material = Material {
         name: name.text.clone(),
         place: file.place(&block.kind.span),
         density,
-        energy: tape,
+        energy: evaluator.tape(total),
         parameters,
         terms,
-        directions,
-    })
+        directions: directions.named(fibres.iter().chain(&*used.borrow())),
+    };
+    if mistakes.len() > before {
+        return Err(Reported);
+    }
+    rest::check(mistakes, &energy, &material)?;
+    Ok(material)
 }
 
 /// The parameters of the material itself, with those given on the command line.
@@ -104,7 +102,10 @@ fn parameters(
 ) -> Vec<Own> {
     let mut own: Vec<Own> = Vec::new();
     for entry in &members.parameters {
-        let Ok(parameter) = ParameterDef::read(mistakes, file, entry) else { continue };
+        let Ok(parameter) = ParameterDef::read(mistakes, file, entry) else {
+            own.push(Own { name: entry.name.text.clone(), value: f64::NAN, dimension: Dimension::NUMBER });
+            continue;
+        };
         let value = parameter_value(mistakes, file, entry, &parameter, (lets, &own), overrides, material);
         // A parameter without a value stays known, so that its uses are no further mistakes.
         let value = value.unwrap_or(f64::NAN);
@@ -187,40 +188,6 @@ fn density(
     let message = format!("`density` must be > 0, but the value is {found}");
     let span = site.file.span(site.id);
     Err(mistakes.report(&site.file, Code::ParameterOutOfRange, span, message, "outside", None))
-}
-
-/// Refuses an energy that does not resist a change of volume at all.
-///
-/// Isochoric invariants do not change under `F = λ I`: an energy of these alone has bulk modulus 0.
-fn volumetric(
-    mistakes: &mut Mistakes,
-    energy: &Site,
-    tape: &Tape<Leaf>,
-    terms: &[(String, super::model::Place)],
-) -> Result<(), Reported> {
-    use crate::energy::Invariant as I;
-    let isochoric = |leaf: &Leaf| {
-        matches!(
-            leaf,
-            Leaf::Parameter(_)
-                | Leaf::Invariant(I::I1Bar | I::I2Bar | I::StretchBar(_) | I::I4Bar(_) | I::I5Bar(_))
-        )
-    };
-    if !tape.leaves().all(isochoric) {
-        return Ok(());
-    }
-    let names: Vec<String> = terms.iter().map(|(name, _)| format!("`{name}`")).collect();
-    let message = format!("the bulk modulus is 0: {} leaves a change of volume free", names.join(" + "));
-    let help = "add a volumetric term, for example `+ vol_ogden2(D = 1e-7 Pa^-1)`";
-    let span = energy.file.span(energy.id);
-    Err(mistakes.report(
-        &energy.file,
-        Code::NoVolumetricTerm,
-        span,
-        message,
-        "only isochoric terms",
-        Some(help.into()),
-    ))
 }
 
 /// What the names of directions are bound to.

@@ -23,4 +23,4 @@ pub use library::{LibraryFile, library};
 pub use loader::{FileSystem, LoadError, Loader, Memory};
 pub use model::*;
 pub use resolve::resolve;
-pub use words::vocabulary;
+pub use words::{explain, nearest_word, vocabulary};

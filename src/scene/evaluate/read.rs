@@ -111,8 +111,7 @@ impl<L: Leaves> Evaluator<'_, L> {
         let help = help(file, id, required.dimension);
         let span = file.span(id);
         let (code, message) = if scalar.dimension.is_number() {
-            let needs = if required.dimension.known().is_some() { "needs a unit" } else { "has no unit" };
-            (Code::MissingUnit, format!("`{name}` is {wanted}, but the value {needs}"))
+            (Code::MissingUnit, format!("`{name}` is {wanted}, but the value is a number without a unit"))
         } else {
             (Code::WrongDimension, format!("`{name}` is {wanted}, but the value is {found}"))
         };

@@ -36,6 +36,7 @@ impl Value {
     pub(in crate::scene) fn describe(&self) -> String {
         match self {
             Self::Scalar(scalar) => scalar.dimension.describe(),
+            Self::List(values) if values.len() == 3 => "a vector".into(),
             Self::List(values) => format!("a list of {}", values.len()),
             Self::Direction(_) => "a direction".into(),
         }

@@ -63,6 +63,8 @@ pub(in crate::scene) struct Members<'a> {
     pub(in crate::scene) expects: Vec<ExpectEntry>,
     pub(in crate::scene) blocks: Vec<&'a Block>,
     declared: BTreeMap<String, Name>,
+    /// Keys that a misspelt one most likely means.
+    meant: Vec<&'static str>,
 }
 
 impl<'a> Members<'a> {
@@ -120,6 +122,10 @@ impl<'a> Members<'a> {
     ) -> Result<Site, Reported> {
         if let Some(site) = self.keys.get(key) {
             return Ok(site.clone());
+        }
+        if self.meant.contains(&key) {
+            // It is there, misspelt, and that has been reported.
+            return Err(Reported);
         }
         let name = block.target.as_ref().map_or(String::new(), |path| {
             let parts: Vec<&str> = path.parts.iter().map(|part| part.text.as_str()).collect();
@@ -181,7 +187,9 @@ impl Sorting<'_, '_> {
                     }
                 }
                 "fibres" | "direction" => {}
-                other => self.unknown(&keyword.text.clone(), &keyword.span, other),
+                other => {
+                    self.unknown(other, &keyword.span, other);
+                }
             },
             Entry::Expect { claim, within, at, span } => {
                 if self.allowed(Member::Expect, "expect", span) {
@@ -200,7 +208,8 @@ impl Sorting<'_, '_> {
                         .file
                         .text(&(name.span.start..key.parts[key.parts.len() - 1].span.end))
                         .to_string();
-                    return self.unknown(&written, &name.span, &written);
+                    self.unknown(&written, &name.span, &written);
+                    return;
                 }
                 match keyword.as_ref().map(|keyword| keyword.text.as_str()) {
                     None => self.assign(members, name, *value),
@@ -237,7 +246,7 @@ impl Sorting<'_, '_> {
                 members.free.push((name.clone(), value));
             }
         } else {
-            self.unknown(&name.text, &name.span, &name.text);
+            members.meant.extend(self.unknown(&name.text, &name.span, &name.text));
         }
     }
 
@@ -259,15 +268,19 @@ impl Sorting<'_, '_> {
         allowed
     }
 
-    fn unknown(&mut self, written: &str, span: &Span, key: &str) {
-        let keys: Vec<&str> = self.declaration.keys.iter().map(|key| key.name).collect();
+    /// Reports a key that is not declared; the one it most likely means.
+    fn unknown(&mut self, written: &str, span: &Span, key: &str) -> Option<&'static str> {
+        let keys: Vec<&'static str> = self.declaration.keys.iter().map(|key| key.name).collect();
         let message = format!("`{}` has no key `{written}`", self.declaration.word);
-        let help = match nearest(key, keys.iter().copied()) {
+        let meant = nearest(key, keys.iter().copied());
+        let meant = meant.and_then(|meant| keys.iter().copied().find(|key| *key == meant));
+        let help = match meant {
             Some(meant) => Some(format!("write `{meant}`")),
             None if keys.is_empty() => None,
             None => Some(format!("its keys are {}", keys.join(", "))),
         };
         self.mistakes.report(self.file, Code::UnknownKey, span.clone(), message, "", help);
+        meant
     }
 }
 

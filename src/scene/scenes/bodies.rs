@@ -220,8 +220,9 @@ fn block(
     let edges: Vec<(f64, ExprId)> = edges.into_iter().collect::<Result<_, _>>()?;
     let centre = centre.transpose()?;
     let [x, y, z] = edges.as_slice() else {
-        let required = format!("`box` takes three lengths, but {} are given", edges.len());
-        return Err(evaluator.wrong_form(&file, &file.span(id), "this box", &required));
+        let message = format!("`box` takes three lengths, but {} are given", edges.len());
+        let help = Some("write `box(10 mm, 3 mm, 0.5 mm)` with the lengths that are meant".into());
+        return Err(evaluator.mistakes.report(&file, Code::WrongForm, file.span(id), message, "", help));
     };
     for (edge, id) in [x, y, z] {
         if *edge <= 0.0 {

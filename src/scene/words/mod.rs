@@ -57,6 +57,21 @@ pub fn vocabulary() -> &'static Vocabulary {
     &VOCABULARY
 }
 
+/// What a word of the language means: a block, a key (`run.cfl`), a choice, a function; `None` if it is none.
+pub fn explain(word: &str) -> Option<String> {
+    crate::schema::explain(&VOCABULARY, word)
+}
+
+/// The word of the language nearest to one that is none.
+pub fn nearest_word(word: &str) -> Option<&'static str> {
+    let blocks = BLOCKS.iter().map(|block| block.word);
+    let keys = BLOCKS.iter().flat_map(|block| block.keys.iter().map(|key| key.name));
+    let words = VOCABULARY.all_words().map(|entry| entry.word);
+    let all: Vec<&'static str> = blocks.chain(keys).chain(words).collect();
+    let meant = crate::schema::nearest(word, all.iter().copied())?;
+    all.into_iter().find(|known| *known == meant)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,0 +1,85 @@
+//! What must hold of a material at rest: no stress, and a resistance to any change of volume.
+
+use super::*;
+use crate::energy::{Kink, Law};
+use crate::tensor::{Mat3, Vec3, cross};
+
+/// Stress or bulk modulus relative to the tangent below which they are zero.
+///
+/// Both are sums of some hundred products of the size of the tangent, each rounded to 1.1e-16.
+const ZERO: f64 = 1e-11;
+
+/// Refuses an energy whose undeformed state is under stress or gives way to a change of volume.
+///
+/// ```text
+/// P(I) = 0,   K = 1/9 ∂²ψ/∂F_iI ∂F_jJ δ_iI δ_jJ > 0
+/// ```
+///
+/// The bulk modulus is that of compression, in which fibres with a Macaulay bracket are slack.
+pub(super) fn check(mistakes: &mut Mistakes, energy: &Site, material: &Material) -> Result<(), Reported> {
+    let span = energy.file.span(energy.id);
+    let values: Vec<f64> = material.parameters.iter().map(|parameter| parameter.value).collect();
+    let law = Law::compile(&material.energy, &values).map_err(|error| {
+        let message = format!("the energy cannot be compiled: {error}");
+        mistakes.report(&energy.file, Code::WrongForm, span.clone(), message, "", None)
+    })?;
+    let directions = fixed(&material.directions);
+    let identity = Mat3::identity();
+    let stresses = law.conjugate_stresses(&identity, &identity, 1.0, &directions);
+    let p = stresses.sigma_f + cross(&stresses.sigma_h, &identity) + stresses.sigma_j * identity;
+    let tangent = law.tangent(&identity, &directions, Kink::Slack);
+    let stiffness = tangent.norm();
+    if !(p.norm().is_finite() && stiffness.is_finite()) {
+        let message = "the energy has no finite stress and stiffness at F = I";
+        return Err(mistakes.report(&energy.file, Code::StressAtRest, span, message, "", None));
+    }
+    if p.norm() > ZERO * stiffness {
+        let found = stress(&p, stiffness);
+        let message = format!("the undeformed state must be free of stress, but at F = I it has P = {found}");
+        let help = "write invariants with `bar` for the part that changes no volume, or add the missing volumetric term";
+        return Err(mistakes.report(&energy.file, Code::StressAtRest, span, message, "", Some(help.into())));
+    }
+    let diagonal = [0, 4, 8];
+    let sum: f64 = diagonal.iter().map(|&i| diagonal.iter().map(|&j| tangent[(i, j)]).sum::<f64>()).sum();
+    let bulk = sum / 9.0;
+    if bulk > ZERO * stiffness {
+        return Ok(());
+    }
+    let names: Vec<String> = material.terms.iter().map(|(name, _)| format!("`{name}`")).collect();
+    let names = names.join(" + ");
+    let (message, help) = if bulk < -ZERO * stiffness {
+        let found = Quantity::new(bulk, Dimension::PRESSURE);
+        (format!("the bulk modulus of {names} must be positive, but it is {found}"), None)
+    } else {
+        let help = "add a volumetric term, for example `+ vol_ogden2(D = 1e-7 Pa^-1)`".into();
+        (format!("the bulk modulus is 0: {names} does not resist a change of volume"), Some(help))
+    };
+    Err(mistakes.report(&energy.file, Code::NoVolumetricTerm, span, message, "", help))
+}
+
+/// The directions at rest; one that depends on place is replaced by an axis, which is as good a unit vector.
+fn fixed(directions: &[Direction]) -> Vec<Vec3> {
+    let component = |tape: &Tape<Coordinate>| match tape.nodes() {
+        [crate::expression::Node::Constant(value)] => Some(*value),
+        _ => None,
+    };
+    directions
+        .iter()
+        .enumerate()
+        .map(|(index, direction)| match direction.components.each_ref().map(component) {
+            [Some(x), Some(y), Some(z)] => Vec3::new(x, y, z),
+            _ => Vec3::ith(index % 3, 1.0),
+        })
+        .collect()
+}
+
+/// A stress in words: its diagonal if it has nothing else, its largest component otherwise.
+fn stress(p: &Mat3, stiffness: f64) -> String {
+    let off = p - Mat3::from_diagonal(&p.diagonal());
+    if off.norm() <= ZERO * stiffness {
+        return format!("diag({:.4e}, {:.4e}, {:.4e}) Pa", p[(0, 0)], p[(1, 1)], p[(2, 2)]);
+    }
+    let rows: Vec<String> =
+        (0..3).map(|i| format!("[{:.4e}, {:.4e}, {:.4e}]", p[(i, 0)], p[(i, 1)], p[(i, 2)])).collect();
+    format!("[{}] Pa", rows.join(", "))
+}
