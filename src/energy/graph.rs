@@ -2,7 +2,7 @@
 //!
 //! Owns the operations a traced law is made of and the rewrites that keep every value bit for bit:
 //! constants are folded, neutral elements vanish, negation moves outwards, commuting operands are
-//! put in order. Knows no derivative; those are written into it by num-dual.
+//! put in order, a bracket absorbs its slope. Knows no derivative; those are written into it by num-dual.
 
 use crate::expression::{Comparison, Scalar};
 use std::collections::HashMap;
@@ -157,6 +157,14 @@ impl Graph {
         }
     }
 
+    /// Whether `step` is the slope of the bracket `pos`: their product is the bracket itself.
+    fn is_step_of_bracket(&self, step: Node, pos: Node) -> bool {
+        match (self.nodes[step as usize], self.nodes[pos as usize]) {
+            (Operation::Unary(Unary::Step | Unary::StepTaut, x), Operation::Unary(Unary::Pos, y)) => x == y,
+            _ => false,
+        }
+    }
+
     fn negate(&mut self, node: Node) -> Node {
         self.unary(Unary::Negate, node)
     }
@@ -213,6 +221,12 @@ impl Graph {
     }
 
     fn multiply(&mut self, x: Node, y: Node) -> Node {
+        if self.is_step_of_bracket(x, y) {
+            return y;
+        }
+        if self.is_step_of_bracket(y, x) {
+            return x;
+        }
         for (constant, other) in [(x, y), (y, x)] {
             match self.value(constant) {
                 // a derivative that is identically zero

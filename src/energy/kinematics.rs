@@ -71,6 +71,7 @@ impl Block {
     }
 
     /// Loads the block from `start`; lanes beyond the end repeat the last particle.
+    #[inline(always)]
     pub(super) fn load(&mut self, maps: &Maps, directions: &Directions, start: usize, reads: Reads) {
         let last = maps.f.len() - 1;
         for lane in 0..LANES {
@@ -86,12 +87,10 @@ impl Block {
             if let Some(j) = maps.j {
                 self.j[lane] = j[particle];
             }
-            for index in 0..reads.directions {
-                let a = directions.of(particle, index);
-                for (row, &value) in self.directions[index].iter_mut().zip(a.as_slice()) {
-                    row[lane] = value;
-                }
-            }
+        }
+        // uniform directions stay from block to block
+        if start == 0 || matches!(directions, Directions::PerParticle { .. }) {
+            self.load_directions(directions, start, last, reads);
         }
         if maps.h.is_none() && (reads.area_map || reads.volume_map) {
             self.derive_area_map();
@@ -110,6 +109,19 @@ impl Block {
         }
     }
 
+    #[inline(always)]
+    fn load_directions(&mut self, directions: &Directions, start: usize, last: usize, reads: Reads) {
+        for (index, rows) in self.directions[..reads.directions].iter_mut().enumerate() {
+            for lane in 0..LANES {
+                let a = directions.of((start + lane).min(last), index);
+                for (row, &value) in rows.iter_mut().zip(a.as_slice()) {
+                    row[lane] = value;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
     fn derive_area_map(&mut self) {
         let f = &self.f;
         for column in 0..3 {
@@ -124,6 +136,7 @@ impl Block {
         }
     }
 
+    #[inline(always)]
     fn derive_volume_map(&mut self, area_map_is_evolved: bool) {
         let f = &self.f;
         if area_map_is_evolved {
@@ -157,6 +170,7 @@ impl Block {
     }
 
     /// Value of a raw invariant.
+    #[inline(always)]
     pub(super) fn raw(&self, raw: Raw, to: &mut Row) {
         match raw {
             Raw::I1 => norm_squared(&self.f, to),
@@ -171,6 +185,7 @@ impl Block {
     }
 
     /// Adds one invariant's share, of derivative `d`, to the stresses conjugate to `F`, `H` and `J`.
+    #[inline(always)]
     pub(super) fn add_share(&self, raw: Raw, d: &Row, sigma: &mut Conjugate) {
         let twice = d.map(|d| 2.0 * d);
         match raw {
@@ -206,6 +221,7 @@ impl Block {
     }
 
     /// `P = Σ_F + Σ_H ⨯ F + Σ_J H`, into `sigma.f`.
+    #[inline(always)]
     pub(super) fn first_piola(&self, reads: Reads, sigma: &mut Conjugate) {
         if reads.area_map {
             for column in 0..3 {
@@ -244,11 +260,21 @@ impl Default for Conjugate {
 }
 
 impl Conjugate {
+    #[inline(always)]
+    pub(super) fn clear(&mut self, reads: Reads) {
+        self.f = [ZERO; 9];
+        self.j = ZERO;
+        if reads.area_map {
+            self.h = [ZERO; 9];
+        }
+    }
+
     pub(super) fn tensor(tensor: &Tensor, lane: usize) -> Mat3 {
         Mat3::from_fn(|i, j| tensor[i + 3 * j][lane])
     }
 }
 
+#[inline(always)]
 fn norm_squared(x: &Tensor, to: &mut Row) {
     *to = ZERO;
     for row in x {
@@ -258,12 +284,14 @@ fn norm_squared(x: &Tensor, to: &mut Row) {
     }
 }
 
+#[inline(always)]
 fn dot(x: &Vector, y: &Vector, to: &mut Row) {
     for lane in 0..LANES {
         to[lane] = x[0][lane] * y[0][lane] + x[1][lane] * y[1][lane] + x[2][lane] * y[2][lane];
     }
 }
 
+#[inline(always)]
 fn times(f: &Tensor, a: &Vector) -> Vector {
     let mut product = [ZERO; 3];
     for (i, row) in product.iter_mut().enumerate() {
@@ -274,6 +302,7 @@ fn times(f: &Tensor, a: &Vector) -> Vector {
     product
 }
 
+#[inline(always)]
 fn transposed_times(f: &Tensor, a: &Vector) -> Vector {
     let mut product = [ZERO; 3];
     for (i, row) in product.iter_mut().enumerate() {
@@ -287,6 +316,7 @@ fn transposed_times(f: &Tensor, a: &Vector) -> Vector {
     product
 }
 
+#[inline(always)]
 fn scaled(x: &Tensor, factor: &Row, to: &mut Tensor) {
     for (to, x) in to.iter_mut().zip(x) {
         for lane in 0..LANES {
@@ -295,6 +325,7 @@ fn scaled(x: &Tensor, factor: &Row, to: &mut Tensor) {
     }
 }
 
+#[inline(always)]
 fn dyad(m: &Vector, a: &Vector, factor: &Row, to: &mut Tensor) {
     for column in 0..3 {
         let mut weighted = ZERO;

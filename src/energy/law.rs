@@ -7,8 +7,9 @@ use super::invariant::{Invariant, Leaf};
 use super::kinematics::{Block, Conjugate, Reads};
 use super::program::{LANES, Program, Row};
 use super::raw::Raw;
+use super::tangent_block::Tangents;
 use super::trace::Source;
-use super::wave_block::Tangents;
+use super::wide::widest;
 use crate::expression::Tape;
 use crate::tensor::{Mat3, Vec3};
 
@@ -105,7 +106,7 @@ impl Law {
         let mut raws: Vec<Raw> = live.iter().flat_map(|&invariant| Raw::of(invariant)).collect();
         raws.sort_unstable();
         raws.dedup();
-        let source = Source { psi, parameters, raws: &raws };
+        let source = Source { psi, parameters, live: &live, raws: &raws };
         let (density, gradient) = (source.density(), source.gradient());
         let hessians = [source.hessian(false), source.hessian(true)];
         let any = |wanted: fn(&Raw) -> bool| raws.iter().any(wanted);
@@ -166,6 +167,11 @@ impl Law {
     pub fn stress(&self, maps: Maps, directions: Directions, out: &mut [Mat3], scratch: &mut Scratch) {
         self.check(&maps, &directions, out.len());
         self.prepare(&self.gradient, scratch);
+        widest!(self.stress_of_blocks(maps, directions, out, scratch));
+    }
+
+    #[inline(always)]
+    fn stress_of_blocks(&self, maps: Maps, directions: Directions, out: &mut [Mat3], scratch: &mut Scratch) {
         for (start, out) in (0..).step_by(LANES).zip(out.chunks_mut(LANES)) {
             scratch.block.load(&maps, &directions, start, self.reads);
             self.run(&self.gradient, scratch);
@@ -187,6 +193,11 @@ impl Law {
     pub fn density(&self, maps: Maps, directions: Directions, out: &mut [f64], scratch: &mut Scratch) {
         self.check(&maps, &directions, out.len());
         self.prepare(&self.density, scratch);
+        widest!(self.density_of_blocks(maps, directions, out, scratch));
+    }
+
+    #[inline(always)]
+    fn density_of_blocks(&self, maps: Maps, directions: Directions, out: &mut [f64], scratch: &mut Scratch) {
         for (start, out) in (0..).step_by(LANES).zip(out.chunks_mut(LANES)) {
             scratch.block.load(&maps, &directions, start, self.reads);
             self.run(&self.density, scratch);
@@ -239,6 +250,7 @@ impl Law {
     }
 
     /// Runs a program over the loaded block.
+    #[inline(always)]
     pub(super) fn run(&self, program: &Program, scratch: &mut Scratch) {
         for (&raw, row) in self.raws.iter().zip(&mut scratch.rows) {
             scratch.block.raw(raw, row);
@@ -246,8 +258,9 @@ impl Law {
         program.run(&mut scratch.rows);
     }
 
+    #[inline(always)]
     fn conjugate(&self, scratch: &mut Scratch) {
-        scratch.sigma = Conjugate::default();
+        scratch.sigma.clear(self.reads);
         for (&raw, &register) in self.raws.iter().zip(self.gradient.outputs()) {
             scratch.block.add_share(raw, &scratch.rows[register as usize], &mut scratch.sigma);
         }

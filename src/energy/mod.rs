@@ -13,9 +13,11 @@ mod program;
 mod raw;
 mod stretch;
 mod tangent;
+mod tangent_block;
 mod trace;
 mod wave;
 mod wave_block;
+mod wide;
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@
 //! applied lane by lane, so a particle's result does not depend on its neighbours in the block.
 
 use super::graph::{Binary, Graph, Node, Operation, Unary};
-use crate::expression::Comparison;
+use crate::expression::{Comparison, elementary};
 
 /// Particles worked on together.
 pub(super) const LANES: usize = 16;
@@ -69,16 +69,21 @@ impl Program {
     }
 
     /// Runs the program over the block whose inputs are in the first rows.
+    #[inline(always)]
     pub(super) fn run(&self, rows: &mut [Row]) {
         for instruction in &self.instructions {
             match *instruction {
                 Instruction::Unary(function, to, x) => {
-                    let x = rows[x as usize];
-                    unary(function, &x, &mut rows[to as usize]);
+                    let [to, x] = disjoint(rows, [to, x]);
+                    unary(function, x, to);
+                }
+                Instruction::Binary(function, to, x, y) if x == y => {
+                    let [to, x] = disjoint(rows, [to, x]);
+                    binary(function, x, x, to);
                 }
                 Instruction::Binary(function, to, x, y) => {
-                    let (x, y) = (rows[x as usize], rows[y as usize]);
-                    binary(function, &x, &y, &mut rows[to as usize]);
+                    let [to, x, y] = disjoint(rows, [to, x, y]);
+                    binary(function, x, y, to);
                 }
                 Instruction::Select(comparison, to, from) => {
                     let [left, right, then, otherwise] = from.map(|register| rows[register as usize]);
@@ -91,6 +96,12 @@ impl Program {
             }
         }
     }
+}
+
+#[inline(always)]
+fn disjoint<const N: usize>(rows: &mut [Row], registers: [Register; N]) -> [&mut Row; N] {
+    let places = registers.map(|register| register as usize);
+    rows.get_disjoint_mut(places).expect("a result's register is none of its operands'")
 }
 
 #[inline(always)]
@@ -108,20 +119,27 @@ fn unary(function: Unary, x: &Row, to: &mut Row) {
         Unary::Sqrt => each(x, to, f64::sqrt),
         Unary::Pos => each(x, to, |x| Unary::Pos.of(x)),
         Unary::Step => each(x, to, |x| Unary::Step.of(x)),
+        Unary::Exp => each(x, to, elementary::exp),
+        Unary::ReciprocalCbrt => each(x, to, elementary::reciprocal_cbrt),
         other => each(x, to, |x| other.of(x)),
     }
 }
 
 #[inline(always)]
 fn binary(function: Binary, x: &Row, y: &Row, to: &mut Row) {
+    match function {
+        Binary::Add => both(x, y, to, |x, y| x + y),
+        Binary::Subtract => both(x, y, to, |x, y| x - y),
+        Binary::Multiply => both(x, y, to, |x, y| x * y),
+        Binary::Divide => both(x, y, to, |x, y| x / y),
+        Binary::Power => both(x, y, to, |x, y| Binary::Power.of(x, y)),
+    }
+}
+
+#[inline(always)]
+fn both(x: &Row, y: &Row, to: &mut Row, of: impl Fn(f64, f64) -> f64) {
     for lane in 0..LANES {
-        to[lane] = match function {
-            Binary::Add => x[lane] + y[lane],
-            Binary::Subtract => x[lane] - y[lane],
-            Binary::Multiply => x[lane] * y[lane],
-            Binary::Divide => x[lane] / y[lane],
-            Binary::Power => Binary::Power.of(x[lane], y[lane]),
-        };
+        to[lane] = of(x[lane], y[lane]);
     }
 }
 
@@ -194,8 +212,8 @@ impl Builder {
                 Operation::Binary(function, x, y) => Instruction::Binary(function, 0, at(x), at(y)),
                 Operation::Select(comparison, nodes) => Instruction::Select(comparison, 0, nodes.map(at)),
             };
-            for_children(operation, |child| self.release(child));
             let to = self.allocate();
+            for_children(operation, |child| self.release(child));
             self.place[node] = to;
             instructions.push(match instruction {
                 Instruction::Unary(function, _, x) => Instruction::Unary(function, to, x),

@@ -58,6 +58,18 @@ impl Raw {
     }
 }
 
+/// A named invariant as a raw one times a power of `r = J^(-1/3)`, where it is one.
+pub(super) fn isochoric(invariant: Invariant) -> Option<(Raw, i32)> {
+    match invariant {
+        Invariant::I1Bar => Some((Raw::I1, 2)),
+        Invariant::I2Bar => Some((Raw::I2, 4)),
+        Invariant::StretchBar(i) => Some((Raw::Stretch(i), 1)),
+        Invariant::I4Bar(a) => Some((Raw::Fourth(a), 2)),
+        Invariant::I5Bar(a) => Some((Raw::Fifth(a), 4)),
+        _ => None,
+    }
+}
+
 /// A named invariant from the raw ones.
 pub(super) fn invariant<T: Scalar>(invariant: Invariant, raw: &impl Fn(Raw) -> T) -> T {
     // r = J^(-1/3)

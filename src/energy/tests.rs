@@ -1,7 +1,7 @@
 //! What holds of every law, whatever its energy.
 
 use super::{Directions, Invariant, Law, Leaf, Maps, Scratch};
-use crate::expression::{Node, Tape};
+use crate::expression::{Function, Node, Tape};
 use crate::tensor::{Mat3, Vec3};
 
 /// `Σ invariants` and their products with the next one: every gradient and Hessian entry is alive.
@@ -32,6 +32,17 @@ fn everything() -> Tape<Leaf> {
         let product = tape.push(Node::Multiply(a, b));
         sum = tape.push(Node::Add(sum, product));
     }
+    // a fibre that is pulled, and every kernel of its own
+    let fourth = tape.push(Node::Leaf(Leaf::Invariant(Invariant::I4Bar(0))));
+    let one = tape.push(Node::Constant(1.0));
+    let strain = tape.push(Node::Subtract(fourth, one));
+    let pulled = tape.push(Node::Call(Function::Pos, strain));
+    let power = tape.push(Node::Constant(2.3));
+    let powered = tape.push(Node::Power(pulled, power));
+    let growth = tape.push(Node::Call(Function::Exp, powered));
+    let logarithm = tape.push(Node::Call(Function::Ln, growth));
+    let product = tape.push(Node::Multiply(growth, logarithm));
+    tape.push(Node::Add(sum, product));
     tape
 }
 
@@ -74,6 +85,25 @@ fn stress_and_tangent_of_every_invariant_are_derivatives() {
         let error = change.iter().zip(column.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(error < 1e-6 * tangent.norm(), "{place}: {error} of {}", tangent.norm());
     }
+}
+
+#[test]
+fn wider_instructions_change_no_bit() {
+    let law = Law::compile(&everything(), &[]).unwrap();
+    let (f, directions) = state();
+    let states: Vec<Mat3> = (0..50).map(|k| f * (1.0 + 0.01 * f64::from(k))).collect();
+    let maps = Maps { f: &states, h: None, j: None };
+    let directions = Directions::Uniform(&directions);
+    let run = |narrow: bool| {
+        super::wide::NARROW.with(|cell| cell.set(narrow));
+        let mut scratch = Scratch::default();
+        let (mut p, mut psi, mut c) = (vec![Mat3::zeros(); 50], vec![0.0; 50], vec![0.0; 50]);
+        law.stress(maps, directions, &mut p, &mut scratch);
+        law.density(maps, directions, &mut psi, &mut scratch);
+        law.wave_speed_block(maps, directions, 1.0, &mut c, &mut scratch);
+        (p, psi, c)
+    };
+    assert_eq!(run(true), run(false));
 }
 
 #[test]

@@ -6,6 +6,7 @@
 //! neither text nor what a leaf means.
 
 pub(crate) mod dual_parts;
+pub mod elementary;
 mod evaluate;
 mod number;
 mod scalar;

@@ -4,6 +4,7 @@
 //! handle of a graph still to be run, so nothing here may ask for a value: comparisons go through
 //! [`Scalar::select`], and only [`Scalar::fixed`] may look at a number that cannot vary.
 
+use super::elementary;
 use super::tape::Comparison;
 use num_dual::{Dual, DualNum};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -143,10 +144,10 @@ impl Scalar for f64 {
         libm::cbrt(*self)
     }
     fn reciprocal_cbrt(&self) -> Self {
-        if *self > 0.0 { 1.0 / libm::cbrt(*self) } else { f64::NAN }
+        elementary::reciprocal_cbrt(*self)
     }
     fn exp(&self) -> Self {
-        libm::exp(*self)
+        elementary::exp(*self)
     }
     fn exp_m1(&self) -> Self {
         libm::expm1(*self)
