@@ -65,6 +65,8 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         match run.kernel {
             Kernel::WendlandC2 => "wendland_c2",
             Kernel::CubicSpline => "cubic_spline",
+            Kernel::QuinticSpline => "quintic_spline",
+            Kernel::Quadratic => "quadratic",
         }
         .into(),
     );

@@ -8,7 +8,7 @@ use crate::verify::{Claim, Topic};
 /// `Σ_b V_b G_a(X_b) = A_a N_a`.
 pub(crate) const BOUNDARY_AREAS: Claim = Claim {
     topic: Topic::Discretisation,
-    claim: "discrete boundary areas are the grid's: sum of V_b G_a(X_b) = A_a N_a, jitter 0 and 0.3, both kernels",
+    claim: "discrete boundary areas are the grid's: sum of V_b G_a(X_b) = A_a N_a, jitter 0 and 0.3, every kernel",
     source: "integration constraint of Chen, Hillman & Rueter 2013",
     because: "conjugate gradients stop at a leftover of 1e-12 dx^2, summed over particles",
     bound: 1e-12,
@@ -19,7 +19,7 @@ pub(crate) const BOUNDARY_AREAS: Claim = Claim {
 /// `V_a (E_a − T_a) = 0` for a uniform stress `P` and the traction `P N`.
 pub(crate) const UNIFORM_TRACTION: Claim = Claim {
     topic: Topic::Discretisation,
-    claim: "a uniform stress is in equilibrium with its traction at every node, jitter 0 and 0.3, both kernels",
+    claim: "a uniform stress is in equilibrium with its traction at every node, jitter 0 and 0.3, every kernel",
     source: "NB25 (31)-(32) with P_a = P and t_B = P N",
     because: "the leftover of the boundary areas times |P|, which is 1",
     bound: 1e-12,

@@ -29,7 +29,8 @@ pub(crate) const CLAIMS: &[Claim] = &[
 ];
 
 /// Kernels every claim is measured for.
-const KERNELS: [Kernel; 2] = [Kernel::WendlandC2, Kernel::CubicSpline];
+const KERNELS: [Kernel; 4] =
+    [Kernel::WendlandC2, Kernel::CubicSpline, Kernel::QuinticSpline, Kernel::Quadratic];
 
 /// Jitter and the `h/dx` that goes with it.
 const LATTICES: [(f64, f64); 2] = [(0.0, 1.01), (0.3, 1.2)];
@@ -41,7 +42,7 @@ fn block(spacing: f64, jitter: f64) -> Particles {
         .expect("0.4 m, 0.8 m and 1 m are multiples of 0.1 m and its halves")
 }
 
-/// Largest value of a measure over both kernels, both lattices and the consistencies given.
+/// Largest value of a measure over all kernels, both lattices and the consistencies given.
 fn worst(consistencies: &[Consistency], measure: impl Fn(&Particles, &Stencils, Kernel, f64) -> f64) -> f64 {
     let mut worst = 0.0_f64;
     for (jitter, smoothing) in LATTICES {

@@ -10,7 +10,7 @@ const BOTH: &[Consistency] = &[Consistency::Kernel, Consistency::Integration];
 /// `Σ_b G_b(X_a) = 0`.
 pub(crate) const CONSTANTS: Claim = Claim {
     topic: Topic::Discretisation,
-    claim: "gradients of a constant vanish: sum of G_b = 0, jitter 0 and 0.3, both kernels",
+    claim: "gradients of a constant vanish: sum of G_b = 0, jitter 0 and 0.3, every kernel",
     source: "NB25 (26), Bonet & Kulasegaram 2000",
     because: "50 entries of at most 1/dx, each the result of some 10 roundings of 1.1e-16",
     bound: 5e-14,
@@ -33,7 +33,7 @@ pub(crate) const CONSTANTS: Claim = Claim {
 /// `Σ_b X_b ⊗ G_b(X_a) = I`.
 pub(crate) const COORDINATES: Claim = Claim {
     topic: Topic::Discretisation,
-    claim: "gradients of the coordinates are exact: sum of X_b (x) G_b = I, jitter 0 and 0.3, both kernels",
+    claim: "gradients of the coordinates are exact: sum of X_b (x) G_b = I, jitter 0 and 0.3, every kernel",
     source: "NB25 (26), Bonet & Kulasegaram 2000",
     because: "as for constants, times coordinates of up to 12 dx",
     bound: 6e-13,
@@ -64,7 +64,7 @@ pub(crate) const COORDINATES: Claim = Claim {
 /// The gradient of `x = F X + c`, formed with differences as the solver forms it, is `F`.
 pub(crate) const AFFINE_MAP: Claim = Claim {
     topic: Topic::Discretisation,
-    claim: "an affine map has its own gradient, jitter 0 and 0.3, both kernels",
+    claim: "an affine map has its own gradient, jitter 0 and 0.3, every kernel",
     source: "NB25 (28) with the differences p_b - p_a",
     because: "50 differences of at most 3 dx, rounded at the size of x (20 dx), times entries below 1/dx",
     bound: 2e-13,
