@@ -5,7 +5,7 @@
 
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
-use tissue::syntax::{Diagnostic, Source, SyntaxTree, decode, parse, parse_expression};
+use tissue::syntax::{Diagnostic, Source, SyntaxTree, decode, format as formatted, parse, parse_expression};
 
 const SPECS: [&str; 5] = [
     include_str!("../specs/artery/axial.tissue"),
@@ -253,6 +253,19 @@ fn read(text: &str) -> (SyntaxTree, Vec<Diagnostic>) {
     (tree, mistakes)
 }
 
+/// Formatting keeps what is written and the shape of the tree, and is its own fixed point.
+fn formats_once(source: &Source, tree: &SyntaxTree) {
+    let once = formatted(source).expect("a file without mistakes is formatted");
+    let ink = |text: &str| text.split_whitespace().collect::<String>();
+    assert_eq!(ink(&once), ink(&source.text));
+    let source = Source { name: "formatted".into(), text: once.clone() };
+    let (again, mistakes) = parse(&source);
+    assert_eq!(mistakes, [], "{once}");
+    assert_eq!(formatted(&source).as_ref(), Ok(&once));
+    let depths = |tree: &SyntaxTree| tree.expressions.iter().map(|e| e.depth).collect::<Vec<_>>();
+    assert_eq!(depths(&again), depths(tree), "{once}");
+}
+
 /// Parts of bombs that make many nodes or many attempts.
 const HEAVY: [&str; 8] = ["(", "a{", "x+", "a=1 ", "1m*", "f(a=", "a = \n", "a{}"];
 
@@ -268,7 +281,8 @@ fn try_seed(seed: u64) {
             let (tree, mistakes) = read(&text);
             let told: String = mistakes.iter().map(|m| m.render(&source)).collect();
             assert!(mistakes.is_empty(), "seed {seed}\n{text}\n{told}");
-            assert_eq!(tree.version.map(|v| v.0), Some(1));
+            assert_eq!(tree.version.as_ref().map(|v| v.0), Some(1));
+            formats_once(&source, &tree);
         }
     }
 }
