@@ -21,10 +21,28 @@ fn whole((document, mistakes): (Document, Vec<Mistake>)) -> Document {
 }
 
 fn axial(overrides: &[(&str, &str)]) -> Scene {
-    let name = "specs/artery/axial.tissue";
+    let name = "tests/fixtures/axial.tissue";
     let text = std::fs::read_to_string(name).expect("the spec is in the repository");
     let document = whole(resolve_with(name, &text, overrides));
     document.scenes.into_iter().next().expect("the spec holds a scene")
+}
+
+#[test]
+fn every_spec_of_this_repository_resolves() {
+    let mut folders = vec![std::path::PathBuf::from("specs")];
+    let mut scenes = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("the folder is in the repository") {
+            let path = entry.expect("the folder can be read").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "tissue") {
+                let text = std::fs::read_to_string(&path).expect("the spec can be read");
+                scenes += whole(resolve_with(&path.display().to_string(), &text, &[])).scenes.len();
+            }
+        }
+    }
+    assert!(scenes >= 1);
 }
 
 fn at(tape: &Tape<Coordinate>, x: [f64; 3], t: f64) -> f64 {
@@ -162,18 +180,21 @@ fn values_given_on_the_command_line_replace_those_written() {
         ("adventitia.kappa", "0"),
         ("axial.run.cfl", "0.5"),
         ("pull.every", "1 ms"),
+        ("adventitia.goh.C", "3.82 kPa"),
     ]);
     assert_eq!(scene.bodies[0].spacing, 0.25e-3);
     assert_eq!((scene.run.until, scene.run.cfl), (8e-3, 0.5));
     assert_eq!(scene.materials[0].parameters[0].value, 0.0);
     assert_eq!(scene.records[0].every, 1e-3);
+    let c = &scene.materials[0].parameters[1];
+    assert_eq!((c.name.as_str(), c.value), ("goh.C", 3820.0));
 }
 
 #[test]
 fn a_wrong_value_on_the_command_line_is_a_mistake() {
-    let text = std::fs::read_to_string("specs/artery/axial.tissue").expect("the spec is in the repository");
+    let text = std::fs::read_to_string("tests/fixtures/axial.tissue").expect("the spec is in the repository");
     let told = |path: &str, value: &str| {
-        let (_, mistakes) = resolve_with("specs/artery/axial.tissue", &text, &[(path, value)]);
+        let (_, mistakes) = resolve_with("tests/fixtures/axial.tissue", &text, &[(path, value)]);
         mistakes.iter().map(Mistake::render).collect::<Vec<_>>().join("\n")
     };
     insta::assert_snapshot!(

@@ -2,13 +2,13 @@
 //!
 //! Owns the words an energy may use and the proof that `psi` is a pressure. Knows no material.
 
-use super::evaluate::{Evaluator, Lets, Outcome, Required, Scalar, Scope, Value, dimension};
+use super::evaluate::{Evaluator, Lets, Outcome, Scalar, Scope, Value};
 use super::file::{File, Mistakes, Reported};
-use super::members::{Members, ParameterDef, within};
+use super::members::{Members, ParameterDef};
 use super::model::Place;
 use super::words::{ENERGY, ENERGY_WORDS};
 use crate::energy::{Invariant, Leaf};
-use crate::syntax::{Argument, Block, Code, Diagnostic, ExprId, Name};
+use crate::syntax::{Argument, Block, Code, ExprId, Name};
 use crate::unit::Dimension;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -275,56 +275,4 @@ fn invariant(word: &str) -> Option<Invariant> {
         "lam3bar" => Invariant::StretchBar(2),
         _ => return None,
     })
-}
-
-impl ParameterDef {
-    /// Proves that range and default have the parameter's dimension.
-    pub(super) fn prove<L: super::evaluate::Leaves>(
-        &self,
-        evaluator: &mut Evaluator<L>,
-        scope: &dyn Scope<L>,
-    ) {
-        let ends = self.bounds.iter().flat_map(|bounds| [&bounds.lower, &bounds.upper]).flatten();
-        for (end, _) in ends {
-            let _ = within::bound(evaluator, scope, *end, self);
-        }
-        if let Some(default) = self.default {
-            let required = Required { name: &self.name.text, dimension: self.dimension };
-            let _ = evaluator.quantity(scope, default, required);
-        }
-    }
-
-    /// Reads a `param` entry.
-    pub(super) fn read(
-        mistakes: &mut Mistakes,
-        file: &File,
-        entry: &super::members::ParamEntry,
-    ) -> Result<Self, Reported> {
-        Ok(Self {
-            name: entry.name.clone(),
-            count: entry.count.clone(),
-            dimension: dimension(mistakes, file, entry.dimension)?,
-            written: file.expression(entry.dimension).into(),
-            bounds: entry.bounds.clone(),
-            default: entry.default,
-            doc: entry.doc.clone(),
-        })
-    }
-}
-
-/// A mistake about one argument of an energy, with the parameter's own words as help.
-pub(super) fn argument_mistake(
-    mistakes: &mut Mistakes,
-    file: &File,
-    code: Code,
-    span: crate::syntax::Span,
-    message: String,
-    parameter: &ParameterDef,
-) -> Reported {
-    let mut diagnostic = Diagnostic::new(code, message, span, "");
-    let doc = parameter.doc.join(" ");
-    if !doc.is_empty() {
-        diagnostic = diagnostic.with_help(format!("`{}` is {doc}", parameter.name.text));
-    }
-    mistakes.push(file, diagnostic)
 }

@@ -78,7 +78,9 @@ impl Mistakes {
                 | Code::MissingArgument
         );
         let mistake = Mistake { source: Arc::clone(&file.source), diagnostic };
-        if !(absence && file.damaged) && !self.list.contains(&mistake) {
+        let unproved = absence && file.damaged;
+        let repeated = self.list.contains(&mistake);
+        if !unproved && !repeated {
             self.list.push(mistake);
         }
         Reported

@@ -2,6 +2,7 @@
 //!
 //! Owns the giving of arguments to energies. Knows no scene.
 
+mod arguments;
 mod directions;
 mod rest;
 mod term;
@@ -70,18 +71,17 @@ pub(super) fn read(
         })
         .collect();
     let written = Elsewhere { outer: &scope, file: Rc::clone(&energy.file) };
-    let mut sum = term::Sum::new(&written, energies, &name.text, fibres.len(), listed);
+    let mut sum = term::Sum::new(&written, energies, overrides, (&name.text, fibres.len()), listed);
     sum.add(&mut evaluator, energy.id);
-    let (total, terms, parameters) = sum.finish();
-    let (total, density, directions) = (total?, density?, directions?);
+    let (whole, density, directions) = (sum.finish()?, density?, directions?);
     let Named::Indices { used, .. } = &scope.directions else { return Err(Reported) };
     let material = Material {
         name: name.text.clone(),
         place: file.place(&block.kind.span),
         density,
-        energy: evaluator.tape(total),
-        parameters,
-        terms,
+        energy: evaluator.tape(whole.total),
+        parameters: whole.parameters,
+        terms: whole.terms,
         directions: directions.named(fibres.iter().chain(&*used.borrow())),
     };
     if mistakes.len() > before {

@@ -136,7 +136,7 @@ impl<'a> Session<'a> {
             }
             let found = match &source {
                 Ok(From::File(module)) => Some(Rc::clone(module)),
-                Ok(From::Library(library)) => self.from_library(library, &name.text),
+                Ok(From::Library(library)) => self.library_module(library, &name.text),
                 Err(Reported) => None,
             };
             let energy = found.as_ref().and_then(|found| found.energies.get(&name.text).cloned());
@@ -171,7 +171,7 @@ impl<'a> Session<'a> {
         Err(self.mistakes.report(file, Code::UnknownImport, span, message, "", Some(help)))
     }
 
-    fn from_library(&mut self, library_name: &str, name: &str) -> Option<Rc<Module>> {
+    fn library_module(&mut self, library_name: &str, name: &str) -> Option<Rc<Module>> {
         // The file of the same name first: one file is parsed, not all.
         let of_library = || library().iter().filter(|file| file.library == library_name);
         let ordered = of_library()

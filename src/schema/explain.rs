@@ -69,13 +69,7 @@ fn explain_block(block: &Declaration) -> String {
 
 fn explain_key(key: &Parameter) -> String {
     let mut text = format!("  {}\n  value: {}\n", key.doc, kind_text(key.kind));
-    text.push_str(&match key.presence {
-        Presence::Required(example) => format!("  required, for example `{example}`\n"),
-        Presence::Default(value) => format!("  default: {value}\n"),
-        Presence::ByScheme { seed, improved } => {
-            format!("  default: {seed} (scheme = seed), {improved} (scheme = improved)\n")
-        }
-    });
+    text.push_str(&format!("  without it: {}\n", presence_text(key.presence)));
     if let Kind::Choice(choices) | Kind::Choices(choices) = key.kind {
         for Choice { word, doc } in choices {
             text.push_str(&format!("    {word}: {doc}\n"));
@@ -88,8 +82,19 @@ fn explain_word(entry: &Word) -> String {
     format!("{} ({})\n  {}\n", entry.form, entry.context, entry.doc)
 }
 
+/// What holds if a key is not written, in words.
+pub(super) fn presence_text(presence: Presence) -> String {
+    match presence {
+        Presence::Required(example) => format!("refused; for example `{example}`"),
+        Presence::Default(value) => value.into(),
+        Presence::ByScheme { seed, improved } => {
+            format!("{seed} (scheme = seed), {improved} (scheme = improved)")
+        }
+    }
+}
+
 /// What the value of a key is, in words.
-pub(crate) fn kind_text(kind: Kind) -> String {
+pub(super) fn kind_text(kind: Kind) -> String {
     let words = |choices: &[Choice]| choices.iter().map(|choice| choice.word).collect::<Vec<_>>().join(", ");
     match kind {
         Kind::Quantity("number") => "a number".into(),

@@ -5,6 +5,8 @@
 
 mod declaration;
 mod explain;
+mod reference;
 
 pub use declaration::{Choice, Declaration, Kind, Member, Parameter, Presence, Target, Vocabulary, Word};
 pub use explain::{explain, nearest};
+pub use reference::reference;

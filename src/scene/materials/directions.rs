@@ -41,8 +41,7 @@ pub(super) fn read(
             continue;
         }
         let direction = direction(&mut evaluator, &scope, name, *id);
-        let value = direction
-            .map(|components| Value::List(components.map(|component| Value::Scalar(component)).into()));
+        let value = direction.map(|components| Value::List(components.map(Value::Scalar).into()));
         if let Ok(components) = direction {
             let components = components.map(|component| evaluator.tape(component));
             let place = file.place(&name.span);
@@ -73,7 +72,7 @@ fn direction(
     if let [Some(x), Some(y), Some(z)] = values {
         let length = (x * x + y * y + z * z).sqrt();
         // Six digits, as a direction is typically written.
-        if !((length - 1.0).abs() <= 1e-6) {
+        if !length.is_finite() || (length - 1.0).abs() > 1e-6 {
             let file = &scope.file;
             let span: Span = file.span(id);
             let message =

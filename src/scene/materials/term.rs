@@ -1,8 +1,8 @@
 //! The sum of energies of a material, each with its arguments.
 
-use super::super::energies::argument_mistake;
 use super::super::evaluate::example_with_unit;
 use super::super::model::Place;
+use super::arguments::{Arguments, Given};
 use super::*;
 use crate::schema::nearest;
 use crate::syntax::{BinaryOperator, ExprId, ExprKind};
@@ -14,6 +14,7 @@ pub(in crate::scene) type Energies = BTreeMap<String, Option<Rc<EnergyDef>>>;
 pub(super) struct Sum<'a> {
     scope: &'a dyn Scope<Leaf>,
     energies: &'a Energies,
+    overrides: &'a Overrides,
     material: &'a str,
     fibres: usize,
     total: Result<Option<Scalar>, Reported>,
@@ -21,26 +22,28 @@ pub(super) struct Sum<'a> {
     parameters: Vec<MaterialParameter>,
 }
 
-/// An argument as given: its value and where it stands.
-struct Given<'a> {
-    name: &'a Name,
-    id: ExprId,
+/// A finished sum: its formula, what it is made of, and the values of its parameters.
+pub(super) struct Whole {
+    pub(super) total: Scalar,
+    pub(super) terms: Vec<(String, Place)>,
+    pub(super) parameters: Vec<MaterialParameter>,
 }
 
 impl<'a> Sum<'a> {
     pub(super) fn new(
         scope: &'a dyn Scope<Leaf>,
         energies: &'a Energies,
-        material: &'a str,
-        fibres: usize,
+        overrides: &'a Overrides,
+        (material, fibres): (&'a str, usize),
         parameters: Vec<MaterialParameter>,
     ) -> Self {
-        Self { scope, energies, material, fibres, total: Ok(None), terms: Vec::new(), parameters }
+        Self { scope, energies, overrides, material, fibres, total: Ok(None), terms: Vec::new(), parameters }
     }
 
     /// The sum, what it is made of, and the parameters.
-    pub(super) fn finish(self) -> (Result<Scalar, Reported>, Vec<(String, Place)>, Vec<MaterialParameter>) {
-        (self.total.and_then(|total| total.ok_or(Reported)), self.terms, self.parameters)
+    pub(super) fn finish(self) -> Result<Whole, Reported> {
+        let total = self.total?.ok_or(Reported)?;
+        Ok(Whole { total, terms: self.terms, parameters: self.parameters })
     }
 
     /// Adds an expression of the form `a(…) + b(…)`.
@@ -107,7 +110,9 @@ impl<'a> Sum<'a> {
         };
         // What is wrong with its declaration has been reported there.
         let energy = energy.clone().ok_or(Reported)?;
-        let given = given(evaluator, file, function, arguments, &energy);
+        let mut given = Arguments::read(evaluator, file, function, arguments, &energy);
+        let prefix = self.prefix(&function.text);
+        given.replace(&energy, self.overrides, &[self.material, &prefix]);
         if energy.fibres.is_some() && self.fibres == 0 {
             let message = format!(
                 "`{}` sums over fibres, but the material `{}` has none",
@@ -118,7 +123,7 @@ impl<'a> Sum<'a> {
             evaluator.mistakes.report(file, Code::NoFibres, span, message, "needs fibres", Some(help.into()));
             return Err(Reported);
         }
-        let values = self.bind(evaluator, function, &energy, &given?)?;
+        let values = self.bind(evaluator, function, &energy, &given, &prefix)?;
         let scope = energy.scope(values, (0..self.fibres as u8).collect());
         self.terms.push((function.text.clone(), energy.place.clone()));
         energy.density(evaluator, &scope)
@@ -130,21 +135,22 @@ impl<'a> Sum<'a> {
         evaluator: &mut Evaluator<Leaf>,
         function: &Name,
         energy: &EnergyDef,
-        given: &[Given],
+        given: &Arguments,
+        prefix: &str,
     ) -> Result<BTreeMap<String, Value>, Reported> {
         let mut values = BTreeMap::new();
-        let mut sound = true;
+        let mut sound = given.sound;
         for direction in &energy.directions {
             let value = self.direction(evaluator, function, given, direction);
             sound &= value.is_ok();
             values.extend(value.map(|value| (direction.text.clone(), value)));
         }
-        let prefix = self.prefix(&function.text);
         for parameter in &energy.parameters {
-            let argument = given.iter().find(|argument| argument.name.text == parameter.name.text);
-            let bound = match argument {
-                Some(argument) => self.argument(evaluator, energy, parameter, argument, &prefix, &mut values),
-                None => self.default(evaluator, function, energy, parameter, &prefix, &values),
+            let name = &parameter.name.text;
+            let bound = match given.get(name) {
+                Some(argument) => self.argument(evaluator, energy, parameter, argument, prefix, &mut values),
+                None if given.is_misspelt(name) => Err(Reported),
+                None => self.default(evaluator, function, energy, parameter, prefix, &values),
             };
             sound &= bound.is_ok();
             values.extend(bound.map(|value| (parameter.name.text.clone(), value)));
@@ -164,11 +170,14 @@ impl<'a> Sum<'a> {
         &self,
         evaluator: &mut Evaluator<Leaf>,
         function: &Name,
-        given: &[Given],
+        given: &Arguments,
         direction: &Name,
     ) -> Result<Value, Reported> {
         let file = self.scope.file();
-        let Some(argument) = given.iter().find(|argument| argument.name.text == direction.text) else {
+        if given.is_misspelt(&direction.text) {
+            return Err(Reported);
+        }
+        let Some(argument) = given.get(&direction.text) else {
             let message = format!("`{}` needs the direction `{}`", function.text, direction.text);
             let help = format!("write `{} = ` and the name of a fibre of the material", direction.text);
             let span = function.span.clone();
@@ -181,12 +190,12 @@ impl<'a> Sum<'a> {
                 Some(help),
             ));
         };
-        match evaluator.evaluate(self.scope, argument.id)? {
+        match evaluator.evaluate(self.scope, argument.site.id)? {
             value @ Value::Direction(_) => Ok(value),
             other => {
                 let required =
                     format!("`{}` is a direction, the name of a fibre is required", direction.text);
-                Err(evaluator.wrong_form(file, &file.span(argument.id), &other.describe(), &required))
+                Err(evaluator.wrong_form(file, &file.span(argument.site.id), &other.describe(), &required))
             }
         }
     }
@@ -200,15 +209,15 @@ impl<'a> Sum<'a> {
         prefix: &str,
         values: &mut BTreeMap<String, Value>,
     ) -> Result<Value, Reported> {
-        let file = Rc::clone(self.scope.file());
+        let (file, id) = (Rc::clone(&argument.site.file), argument.site.id);
         let name = format!("{prefix}.{}", parameter.name.text);
         let Some(count) = &parameter.count else {
-            return self.one(evaluator, energy, parameter, (&file, argument.id), name);
+            return self.one(evaluator, energy, parameter, (&file, id), name);
         };
-        let ExprKind::List(ids) = &file.tree.expr(argument.id).kind else {
+        let ExprKind::List(ids) = &file.tree.expr(id).kind else {
             let required =
                 format!("`{}` is an array, a list such as `[1, 2]` is required", parameter.name.text);
-            return Err(evaluator.wrong_form(&file, &file.span(argument.id), "this", &required));
+            return Err(evaluator.wrong_form(&file, &file.span(id), "this", &required));
         };
         let length = ids.len() as f64;
         let counted = values.get(&count.text).and_then(Value::as_scalar);
@@ -219,7 +228,7 @@ impl<'a> Sum<'a> {
                 "`{}` must have {known} elements as the other arrays of length `{}`, but it has {length}",
                 parameter.name.text, count.text
             );
-            let span = file.span(argument.id);
+            let span = file.span(id);
             return Err(evaluator.mistakes.report(&file, Code::WrongForm, span, message, "", None));
         }
         let node = evaluator.graph.constant(length);
@@ -241,7 +250,8 @@ impl<'a> Sum<'a> {
         name: String,
     ) -> Result<Value, Reported> {
         let required = Required { name: &parameter.name.text, dimension: parameter.dimension };
-        let scalar = evaluator.quantity(self.scope, id, required)?;
+        let scope = Elsewhere { outer: self.scope, file: Rc::clone(file) };
+        let scalar = evaluator.quantity(&scope, id, required)?;
         let Some(value) = evaluator.known(scalar) else {
             let message = format!("`{}` must be a number", parameter.name.text);
             return Err(evaluator.mistakes.report(file, Code::WrongForm, file.span(id), message, "", None));
@@ -290,66 +300,15 @@ impl<'a> Sum<'a> {
         let range = parameter.bounds.as_ref().map_or("", |bounds| energy.file.text(&bounds.span)).trim();
         let kind = [parameter.written.as_str(), range].join(" ");
         let message = format!("`{}` needs `{name}` ({})", function.text, kind.trim());
-        if parameter.doc.is_empty() {
-            let help = Some(format!(
+        let doc = parameter.doc.join(" ");
+        let help = match doc.as_str() {
+            "" => format!(
                 "write `{name} = {}` with the value that is meant",
                 example_with_unit("1", parameter.dimension)
-            ));
-            let span = function.span.clone();
-            return Err(evaluator.mistakes.report(file, Code::MissingArgument, span, message, "", help));
-        }
-        Err(argument_mistake(
-            evaluator.mistakes,
-            file,
-            Code::MissingArgument,
-            function.span.clone(),
-            message,
-            parameter,
-        ))
-    }
-}
-
-/// The arguments of a call, every one named and known.
-fn given<'a>(
-    evaluator: &mut Evaluator<Leaf>,
-    file: &Rc<File>,
-    function: &Name,
-    arguments: &'a [Argument],
-    energy: &EnergyDef,
-) -> Result<Vec<Given<'a>>, Reported> {
-    let known: Vec<&str> = energy
-        .parameters
-        .iter()
-        .map(|parameter| parameter.name.text.as_str())
-        .chain(energy.directions.iter().map(|direction| direction.text.as_str()))
-        .collect();
-    let mut given: Vec<Given> = Vec::new();
-    let mut sound = true;
-    for argument in arguments {
-        let Some(name) = argument.name.as_ref().and_then(|path| path.parts.first()) else {
-            let message = format!("arguments of `{}` are named", function.text);
-            let help =
-                known.first().map(|first| format!("write `{first} = {}`", file.expression(argument.value)));
-            let span = file.span(argument.value);
-            evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help);
-            sound = false;
-            continue;
+            ),
+            doc => format!("`{name}`: {doc}"),
         };
-        if !known.contains(&name.text.as_str()) {
-            let message = format!("`{}` has no parameter `{}`", function.text, name.text);
-            let help = match nearest(&name.text, known.iter().copied()) {
-                Some(meant) => format!("write `{meant}`"),
-                None => format!("its parameters are {}", known.join(", ")),
-            };
-            let span = name.span.clone();
-            evaluator.mistakes.report(file, Code::UnknownArgument, span, message, "", Some(help));
-            sound = false;
-        } else if let Some(first) = given.iter().find(|other| other.name.text == name.text) {
-            super::super::members::duplicate(evaluator.mistakes, file, name, first.name);
-            sound = false;
-        } else {
-            given.push(Given { name, id: argument.value });
-        }
+        let span = function.span.clone();
+        Err(evaluator.mistakes.report(file, Code::MissingArgument, span, message, "", Some(help)))
     }
-    if sound { Ok(given) } else { Err(Reported) }
 }

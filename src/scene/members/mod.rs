@@ -4,6 +4,7 @@
 
 mod entries;
 mod overrides;
+mod parameter;
 pub(super) mod within;
 
 pub(super) use entries::{ExpectEntry, Members, ParamEntry, ParameterDef, Site, duplicate};

@@ -50,7 +50,7 @@ pub(in crate::scene) fn check<L: Leaves>(
     let message = format!("`{name}` must be {range}, but the value is {found}");
     let mut diagnostic = Diagnostic::new(Code::ParameterOutOfRange, message, span, "outside");
     if !parameter.doc.is_empty() {
-        diagnostic = diagnostic.with_help(format!("`{name}` is the {}", parameter.doc.join(" ")));
+        diagnostic = diagnostic.with_help(format!("`{name}`: {}", parameter.doc.join(" ")));
     }
     Err(evaluator.mistakes.push(file, diagnostic))
 }

@@ -1,6 +1,8 @@
 //! Conditions that cannot hold together.
 
+use super::super::model::Load;
 use super::stage::Stage;
+use crate::expression::Tape;
 use crate::syntax::{Code, Diagnostic};
 use crate::unit::{Dimension, Quantity};
 
@@ -48,6 +50,34 @@ impl Stage<'_> {
             let diagnostic =
                 Diagnostic::new(Code::Conflict, message, self.sites[second].clone(), "here again")
                     .with_label(self.sites[first].clone(), "first here");
+            self.mistakes.push(&self.file, diagnostic);
+        }
+    }
+
+    /// Refuses a traction along a prescribed displacement of the same face: it could do nothing.
+    pub(super) fn refuse_idle_tractions(&mut self) {
+        let mut found = Vec::new();
+        for (index, load) in self.scene.loads.iter().enumerate() {
+            let Load::Traction { region, traction, .. } = load else { continue };
+            for (support, prescribed) in self.scene.prescribed.iter().enumerate() {
+                let clash = (0..3).find(|&axis| {
+                    prescribed.displacement[axis].is_some() && traction[axis] != Tape::constant(0.0)
+                });
+                if let (Some(axis), true) = (clash, prescribed.region == *region) {
+                    found.push((index, support, axis, region.clone()));
+                }
+            }
+        }
+        for (load, support, axis, region) in found {
+            let axis = ["x", "y", "z"][axis];
+            let body = &self.scene.bodies[region.body].name;
+            let message = format!(
+                "the traction along {axis} on `{body}.{}` meets a prescribed displacement",
+                region.face
+            );
+            let diagnostic =
+                Diagnostic::new(Code::Conflict, message, self.load_sites[load].clone(), "traction")
+                    .with_label(self.sites[support].clone(), "prescribed here");
             self.mistakes.push(&self.file, diagnostic);
         }
     }

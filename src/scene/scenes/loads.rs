@@ -20,6 +20,7 @@ impl Stage<'_> {
         let traction = self.fields(&site, "value", Dimension::PRESSURE, (true, true))?;
         let load = Load::Traction { place: file.place(&block.kind.span), region: region?, traction };
         self.scene.loads.push(load);
+        self.load_sites.push(super::stage::heading(block));
         Ok(())
     }
 
@@ -31,6 +32,7 @@ impl Stage<'_> {
         let force = self.fields(&site, "value", Dimension::PRESSURE / Dimension::LENGTH, (true, true))?;
         let load = Load::BodyForce { place: file.place(&block.kind.span), body: body?, force };
         self.scene.loads.push(load);
+        self.load_sites.push(super::stage::heading(block));
         Ok(())
     }
 
@@ -42,6 +44,7 @@ impl Stage<'_> {
         let acceleration = self.constants(&site, "acceleration", Dimension::ACCELERATION)?;
         let load = Load::Gravity { place: file.place(&block.kind.span), acceleration };
         self.scene.loads.push(load);
+        self.load_sites.push(super::stage::heading(block));
         Ok(())
     }
 

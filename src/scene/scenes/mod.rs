@@ -12,6 +12,8 @@ mod plots;
 mod probes;
 mod records;
 mod run;
+mod samples;
+mod scope;
 mod stage;
 mod supports;
 mod tables;

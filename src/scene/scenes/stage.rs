@@ -1,15 +1,16 @@
 //! A scene under construction.
 
-use super::super::evaluate::{Elsewhere, Evaluator, Lets, Outcome, Required, Scope, place_word};
+use super::super::evaluate::{Elsewhere, Evaluator, Lets, Required, Scope};
 use super::super::file::{File, Mistakes, Reported};
 use super::super::loader::Loader;
 use super::super::members::{Members, Overrides, Site, duplicate};
 use super::super::model::*;
 use super::super::session::{Materials, Module, Session};
+use super::scope::SceneScope;
 use super::tables::Tables;
 use crate::expression::Tape;
 use crate::schema::{Choice, Declaration, Kind, nearest};
-use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
+use crate::syntax::{Block, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::Dimension;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -36,6 +37,8 @@ pub(super) struct Stage<'a> {
     pub(super) outputs: BTreeMap<String, Name>,
     /// Where each prescribed motion is written, in the order of the scene's.
     pub(super) sites: Vec<Span>,
+    /// Where each load is written, in the order of the scene's.
+    pub(super) load_sites: Vec<Span>,
     /// Where ramps stand and when they end, s.
     pub(super) ramps: Vec<(Rc<File>, Span, f64)>,
     /// Where `until` is written.
@@ -67,6 +70,7 @@ impl<'a> Stage<'a> {
             columns: BTreeMap::new(),
             outputs: BTreeMap::new(),
             sites: Vec::new(),
+            load_sites: Vec::new(),
             ramps: Vec::new(),
             until: None,
             run: None,
@@ -129,6 +133,7 @@ impl<'a> Stage<'a> {
             );
         }
         self.refuse_conflicts();
+        self.refuse_idle_tractions();
         self.refuse_late_ramps();
         self.scene.run = self.run.ok_or(Reported)?;
         Ok(self.scene)
@@ -290,71 +295,10 @@ fn choices(declaration: &Declaration, key: &str) -> &'static [Choice] {
     }
 }
 
-/// The names in a scene: its `let`s, and place and time where they mean something.
-pub(super) struct SceneScope<'a> {
-    file: &'a Rc<File>,
-    lets: Lets,
-    tables: &'a Tables,
-    place: bool,
-    time: bool,
-}
-
-impl Scope<Coordinate> for SceneScope<'_> {
-    fn file(&self) -> &Rc<File> {
-        self.file
-    }
-
-    fn name(&self, evaluator: &mut Evaluator<Coordinate>, name: &Name) -> Option<Outcome> {
-        if self.tables.get(&name.text).is_some_and(Option::is_none) {
-            return Some(Err(Reported));
-        }
-        let outcome = self.lets.name(evaluator, self, name);
-        outcome.or_else(|| place_word(evaluator, &name.text, self.place, self.time))
-    }
-
-    fn call(
-        &self,
-        evaluator: &mut Evaluator<Coordinate>,
-        outer: &dyn Scope<Coordinate>,
-        function: &Name,
-        arguments: &[Argument],
-    ) -> Option<Outcome> {
-        if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
-            return Some(outcome);
-        }
-        (self.time && function.text == "ramp")
-            .then(|| super::loads::ramp(evaluator, outer, function, arguments))
-    }
-
-    fn names(&self) -> Vec<String> {
-        let mut names: Vec<String> =
-            self.lets.names().map(|definition| definition.name.text.clone()).collect();
-        if self.place {
-            names.extend(["X", "Y", "Z", "r"].map(String::from));
-        }
-        if self.time {
-            names.push("t".into());
-        }
-        names
-    }
-
-    fn functions(&self) -> Vec<String> {
-        if self.time { vec!["ramp".into()] } else { vec![] }
-    }
-
-    fn hint(&self, name: &str) -> Option<String> {
-        if self.tables.contains_key(name) {
-            return Some(format!("`{name}` is a table: its columns stand in `plot` and `expect`"));
-        }
-        match name {
-            "x" | "y" | "z" if self.place => {
-                Some(format!("write `{}` for the reference coordinate", name.to_uppercase()))
-            }
-            "t" => Some("this value cannot depend on time".into()),
-            "X" | "Y" | "Z" | "r" => Some("this value cannot depend on place".into()),
-            _ => None,
-        }
-    }
+/// Where the kind and the target of a block stand.
+pub(super) fn heading(block: &Block) -> Span {
+    let last = block.target.as_ref().and_then(|path| path.parts.last());
+    block.kind.span.start..last.map_or(block.kind.span.end, |part| part.span.end)
 }
 
 /// A constant as a formula.

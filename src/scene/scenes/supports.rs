@@ -4,7 +4,7 @@ use super::super::file::Reported;
 use super::super::members::{Members, Site};
 use super::super::model::{Coordinate, Prescribed, Region};
 use super::super::words::{HOLD, PULL, SLIDE};
-use super::stage::{Stage, zero};
+use super::stage::{Stage, heading, zero};
 use crate::expression::{Node, Tape};
 use crate::syntax::Block;
 use crate::unit::Dimension;
@@ -74,12 +74,7 @@ impl Stage<'_> {
     }
 
     fn prescribe(&mut self, block: &Block, region: Region, displacement: [Option<Tape<Coordinate>>; 3]) {
-        let end = block
-            .target
-            .as_ref()
-            .and_then(|path| path.parts.last())
-            .map_or(block.kind.span.end, |part| part.span.end);
-        self.sites.push(block.kind.span.start..end);
+        self.sites.push(heading(block));
         self.scene.prescribed.push(Prescribed {
             word: block.kind.text.clone(),
             place: self.file.place(&block.kind.span),

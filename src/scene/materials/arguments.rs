@@ -1,0 +1,91 @@
+//! The arguments an energy is given, by name.
+
+use super::*;
+use crate::schema::nearest;
+
+/// One argument: its name and its value, which is another than written if the command line says so.
+pub(super) struct Given {
+    pub(super) name: Name,
+    pub(super) site: Site,
+}
+
+/// The arguments of a call.
+pub(super) struct Arguments {
+    list: Vec<Given>,
+    /// Names that are no parameter, and the parameters they most likely mean.
+    meant: Vec<String>,
+    /// Whether an argument has no name; it may be meant for any parameter.
+    unnamed: bool,
+    /// Whether every argument is named, known and given once.
+    pub(super) sound: bool,
+}
+
+impl Arguments {
+    /// The argument of a name.
+    pub(super) fn get(&self, name: &str) -> Option<&Given> {
+        self.list.iter().find(|given| given.name.text == name)
+    }
+
+    /// Whether a parameter may be there, but misspelt or without its name.
+    pub(super) fn is_misspelt(&self, name: &str) -> bool {
+        self.unnamed || self.meant.iter().any(|meant| meant == name)
+    }
+
+    /// Sorts the arguments of a call; those that are not named, not known or given twice are reported.
+    pub(super) fn read(
+        evaluator: &mut Evaluator<Leaf>,
+        file: &Rc<File>,
+        function: &Name,
+        arguments: &[Argument],
+        energy: &EnergyDef,
+    ) -> Self {
+        let known: Vec<&str> = energy
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.text.as_str())
+            .chain(energy.directions.iter().map(|direction| direction.text.as_str()))
+            .collect();
+        let mut sorted = Self { list: Vec::new(), meant: Vec::new(), unnamed: false, sound: true };
+        for argument in arguments {
+            let Some(name) = argument.name.as_ref().and_then(|path| path.parts.first()) else {
+                let message = format!("arguments of `{}` are named", function.text);
+                let written = file.expression(argument.value);
+                let help = known.first().map(|first| format!("write `{first} = {written}`"));
+                let span = file.span(argument.value);
+                evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help);
+                (sorted.sound, sorted.unnamed) = (false, true);
+                continue;
+            };
+            if !known.contains(&name.text.as_str()) {
+                let message = format!("`{}` has no parameter `{}`", function.text, name.text);
+                let meant = nearest(&name.text, known.iter().copied());
+                let help = match meant {
+                    Some(meant) => format!("write `{meant}`"),
+                    None => format!("its parameters are {}", known.join(", ")),
+                };
+                sorted.meant.extend(meant.map(String::from));
+                let span = name.span.clone();
+                evaluator.mistakes.report(file, Code::UnknownArgument, span, message, "", Some(help));
+                sorted.sound = false;
+            } else if let Some(first) = sorted.get(&name.text) {
+                super::super::members::duplicate(evaluator.mistakes, file, name, &first.name);
+                sorted.sound = false;
+            } else {
+                let site = Site { file: Rc::clone(file), id: argument.value };
+                sorted.list.push(Given { name: name.clone(), site });
+            }
+        }
+        sorted
+    }
+
+    /// Puts values given on the command line in the place of those written: `adventitia.goh.C`.
+    pub(super) fn replace(&mut self, energy: &EnergyDef, overrides: &Overrides, path: &[&str]) {
+        for parameter in &energy.parameters {
+            let Some(site) = overrides.find(path, &parameter.name.text) else { continue };
+            match self.list.iter_mut().find(|given| given.name.text == parameter.name.text) {
+                Some(given) => given.site = site,
+                None => self.list.push(Given { name: parameter.name.clone(), site }),
+            }
+        }
+    }
+}

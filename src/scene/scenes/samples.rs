@@ -1,0 +1,100 @@
+//! What an expectation can ask of the tables.
+
+use super::super::evaluate::{Evaluator, Lets, Outcome, Scope, Value};
+use super::super::file::{File, Reported};
+use super::super::model::Sample;
+use super::super::words::SAMPLES;
+use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
+use super::stage::Records;
+use super::tables::Tables;
+use crate::syntax::{Argument, ExprId, ExprKind, Name, Span};
+use std::rc::Rc;
+
+/// The names in an expectation.
+pub(super) struct SampleScope<'a> {
+    pub(super) file: &'a Rc<File>,
+    pub(super) lets: Lets,
+    pub(super) records: &'a Records,
+    pub(super) tables: &'a Tables,
+}
+
+impl Scope<Sample> for SampleScope<'_> {
+    fn file(&self) -> &Rc<File> {
+        self.file
+    }
+
+    fn name(&self, evaluator: &mut Evaluator<Sample>, name: &Name) -> Option<Outcome> {
+        self.lets.name(evaluator, self, name)
+    }
+
+    fn member(
+        &self,
+        evaluator: &mut Evaluator<Sample>,
+        base: ExprId,
+        name: &Name,
+        _span: &Span,
+    ) -> Option<Outcome> {
+        let ExprKind::Name(table) = &self.file.tree.expr(base).kind else { return None };
+        let column = ColumnName {
+            table: Name { text: table.clone(), span: self.file.span(base) },
+            column: name.clone(),
+        };
+        Some(self.column(evaluator, &column))
+    }
+
+    fn call(
+        &self,
+        evaluator: &mut Evaluator<Sample>,
+        outer: &dyn Scope<Sample>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Option<Outcome> {
+        if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
+            return Some(outcome);
+        }
+        let [argument] = arguments else { return None };
+        let sample = match function.text.as_str() {
+            "max" => |record, column| Sample::Max { record, column },
+            "min" => |record, column| Sample::Min { record, column },
+            "initial" => |record, column| Sample::Initial { record, column },
+            "final" => |record, column| Sample::Final { record, column },
+            "never_grows" => {
+                let required = "it is a claim of its own: `expect never_grows(record.column)`";
+                return Some(Err(evaluator.wrong_form(self.file, &function.span, "`never_grows`", required)));
+            }
+            _ => return None,
+        };
+        Some(column_name(evaluator.mistakes, self.file, argument.value).and_then(|name| {
+            let dimension = column_dimension(evaluator.mistakes, self.records, self.file, &name)?;
+            let leaf = evaluator.graph.leaf(sample(name.table.text, name.column.text));
+            Ok(Value::scalar(leaf, dimension))
+        }))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.lets.names().map(|definition| definition.name.text.clone()).collect()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        SAMPLES.iter().map(|word| word.word.into()).collect()
+    }
+
+    fn hint(&self, name: &str) -> Option<String> {
+        let record = self.records.iter().find(|(_, columns)| columns.contains_key(name));
+        record.map(|(record, _)| format!("write `{record}.{name}`"))
+    }
+}
+
+impl SampleScope<'_> {
+    fn column(&self, evaluator: &mut Evaluator<Sample>, name: &ColumnName) -> Outcome {
+        let (table, column) = (name.table.text.clone(), name.column.text.clone());
+        if !self.records.contains_key(&table) && self.tables.contains_key(&table) {
+            let dimension = table_dimension(evaluator.mistakes, self.tables, self.file, name)?;
+            let reference = self.tables[&table].as_ref().ok_or(Reported)?.reference.clone();
+            let leaf = evaluator.graph.leaf(Sample::Reference { reference, column });
+            return Ok(Value::scalar(leaf, dimension));
+        }
+        let dimension = column_dimension(evaluator.mistakes, self.records, self.file, name)?;
+        Ok(Value::scalar(evaluator.graph.leaf(Sample::Column { record: table, column }), dimension))
+    }
+}
