@@ -143,6 +143,14 @@ fn waves(name: &str, law: &Law, states: &[Mat3], directions: &[Vec3]) {
     println!("{name:28} fastest wave {time:8.0} ns");
 }
 
+fn compiling(name: &str, families: u8) {
+    let psi = goh(families, true);
+    let start = Instant::now();
+    let law = black_box(compiled(&psi, &DISPERSED.parameters()));
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    println!("{name:28} compiled in {time:8.2} ms, {} operations", law.operations());
+}
+
 fn main() {
     let mut random = Random(1);
     let states: Vec<Mat3> = (0..PARTICLES).map(|_| random.deformation(0.08)).collect();
@@ -154,6 +162,8 @@ fn main() {
     compare("GOH, two families", &law, &states, &directions, |f, functions| {
         goh_by_hand(f, &DISPERSED, &directions, functions)
     });
+    compiling("GOH, two families", 2);
+    compiling("GOH, a hundred families", 100);
     waves("neo-Hookean", &neo, &states, &[]);
     waves("GOH, two families", &law, &states, &directions);
 }

@@ -38,6 +38,16 @@ impl Trace {
         Handle::Node(Rc::clone(&self.graph), node)
     }
 
+    /// The handle of a node of the graph.
+    pub(super) fn handle(&self, node: Node) -> Handle {
+        Handle::of(&self.graph, node)
+    }
+
+    /// The nodes written so far.
+    pub(super) fn operations(&self) -> Vec<Operation> {
+        self.graph.borrow().nodes().to_vec()
+    }
+
     /// The graph, and the nodes of the given handles in it.
     pub(super) fn finish(self, outputs: Vec<Handle>) -> (Graph, Vec<Node>) {
         let nodes = outputs.into_iter().map(|output| output.node_in(&self.graph)).collect();
@@ -65,6 +75,14 @@ impl Handle {
         match self {
             Self::Constant(value) => *value,
             Self::Node(..) => panic!("the value of a traced number is not known: branch through select"),
+        }
+    }
+
+    /// Its node, if it is no constant.
+    pub(super) fn node(&self) -> Option<Node> {
+        match self {
+            Self::Constant(_) => None,
+            Self::Node(_, node) => Some(*node),
         }
     }
 

@@ -36,6 +36,18 @@ pub enum Invariant {
     Green(u8, u8),
 }
 
+impl Invariant {
+    /// The one name of an invariant that has several: `I8(b, a)`, `I8(a, a) = I4(a)`, `E(b, a)`.
+    pub fn canonical(self) -> Self {
+        match self {
+            Self::I8(a, b) if a == b => Self::I4(a),
+            Self::I8(a, b) => Self::I8(a.min(b), a.max(b)),
+            Self::Green(a, b) => Self::Green(a.min(b), a.max(b)),
+            other => other,
+        }
+    }
+}
+
 /// A leaf of an energy's tape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Leaf {

@@ -98,7 +98,7 @@ impl Law {
                 Leaf::Invariant(Invariant::Stretch(index) | Invariant::StretchBar(index)) if index > 2 => {
                     return Err(EnergyError::NoSuchStretch { index });
                 }
-                Leaf::Invariant(invariant) => live.push(invariant),
+                Leaf::Invariant(invariant) => live.push(invariant.canonical()),
             }
         }
         live.sort_unstable();
@@ -125,7 +125,7 @@ impl Law {
         self.reads.directions
     }
 
-    /// The invariants the energy names, in order, each once.
+    /// The invariants the energy names, in order, each once and under one name.
     pub fn live(&self) -> &[Invariant] {
         &self.live
     }

@@ -61,6 +61,12 @@ impl Program {
         &self.outputs
     }
 
+    /// Whether an output is zero whatever the inputs.
+    pub(super) fn is_zero(&self, output: usize) -> bool {
+        let place = (self.outputs[output] as usize).checked_sub(self.inputs);
+        place.and_then(|place| self.constants.get(place)) == Some(&0.0)
+    }
+
     /// Fills the constants' rows; they stay through any number of runs.
     pub(super) fn prepare(&self, rows: &mut [Row]) {
         for (row, &constant) in rows[self.inputs..].iter_mut().zip(&self.constants) {

@@ -38,7 +38,8 @@ impl Law {
     #[inline(always)]
     pub(super) fn tangents(&self, scratch: &mut Scratch) {
         let Scratch { rows, block, tangents, .. } = scratch;
-        let outputs = self.hessians[1].outputs();
+        let program = &self.hessians[1];
+        let outputs = program.outputs();
         let (first, second) = outputs.split_at(self.raws.len());
         *tangents = Tangents::default();
         for (&raw, &register) in self.raws.iter().zip(first) {
@@ -49,6 +50,9 @@ impl Law {
             // G_k ⊗ (½ h_kk G_k + Σ_{l>k} h_kl G_l), made symmetric
             let mut partner = [ZERO; 9];
             for (l, &other) in self.raws.iter().enumerate().skip(k) {
+                if program.is_zero(self.raws.len() + pair(k, l)) {
+                    continue;
+                }
                 let Some(column) = block.gradient(other) else { continue };
                 let row = &rows[second[pair(k, l)] as usize];
                 let half = if k == l { 0.5 } else { 1.0 };

@@ -22,6 +22,9 @@ fn everything() -> Tape<Leaf> {
         Invariant::I5Bar(1),
         Invariant::I8(0, 1),
         Invariant::Green(1, 0),
+        Invariant::Green(0, 1),
+        Invariant::I8(1, 0),
+        Invariant::I8(1, 1),
         Invariant::Green(0, 0),
     ];
     let mut tape = Tape::new();
