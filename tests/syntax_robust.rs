@@ -380,3 +380,16 @@ fn bombs_of_a_megabyte_are_refused_or_read_in_time() {
     let (_, mistakes) = read(&"a".repeat(1_000_001));
     assert_eq!(mistakes[0].code.number(), "E0103");
 }
+
+#[test]
+fn an_entry_with_characters_left_out_is_not_in_the_tree_but_its_neighbours_are() {
+    let text = "tissue 1\nm a {\n  b = 2 kg/m³\n  c = 3;  d = 4 × 2\n  e = 5 {\n}\n".replace("5 {", "5");
+    let (tree, mistakes) = parse(&Source { name: "x".into(), text });
+    assert_eq!(mistakes.len(), 3);
+    let [tissue::syntax::Item::Block(block)] = tree.items.as_slice() else { panic!("one block") };
+    let keys = block.entries.iter().filter_map(|e| match e {
+        tissue::syntax::Entry::Assign { key, .. } => Some(key.parts[0].text.as_str()),
+        _ => None,
+    });
+    assert_eq!(keys.collect::<Vec<_>>(), ["c", "e"]);
+}

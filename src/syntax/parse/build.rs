@@ -11,6 +11,8 @@ use pest::iterators::{Pair, Pairs};
 /// Builds one tree.
 pub(super) struct Builder<'a> {
     comments: Comments<'a>,
+    /// Where characters were left out, in order.
+    unread: Vec<usize>,
     pub(super) expressions: Vec<Expr>,
     pub(super) mistakes: Vec<Diagnostic>,
 }
@@ -74,9 +76,9 @@ pub(super) fn only_value(tree: &SyntaxTree) -> Option<ExprId> {
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(work: &'a str, original: &'a str, comments: &'a [Token]) -> Self {
+    pub(super) fn new(work: &'a str, original: &'a str, comments: &'a [Token], unread: Vec<usize>) -> Self {
         let comments = Comments { work, original, tokens: comments };
-        Self { comments, expressions: Vec::new(), mistakes: Vec::new() }
+        Self { comments, unread, expressions: Vec::new(), mistakes: Vec::new() }
     }
 
     pub(super) fn file(&mut self, pairs: Pairs<'_, Rule>) -> SyntaxTree {
@@ -116,8 +118,21 @@ impl<'a> Builder<'a> {
         let kind = name(&head.next()?);
         let target = head.next().map(path);
         let doc = self.comments.above(whole.start);
-        let entries = parts.filter_map(|p| self.entry(p)).collect();
+        let whole_entry = |p: &Pair<'_, Rule>| p.as_rule() == Rule::block || !self.is_unread(&span(p));
+        let whole_entries: Vec<_> = parts.filter(whole_entry).collect();
+        let entries = whole_entries.into_iter().filter_map(|p| self.entry(p)).collect();
         Some(Block { kind, target, entries, doc, span: whole })
+    }
+
+    /// Whether characters were left out in an entry or right behind it: its value is then not what was meant.
+    fn is_unread(&self, entry: &Span) -> bool {
+        self.unread.get(self.unread.partition_point(|at| *at < entry.start)).is_some_and(|at| {
+            // What the grammar took may end in blanks, and in what was blanked.
+            let taken = self.comments.work.get(entry.clone()).unwrap_or_default();
+            let end = entry.start + taken.trim_end().len();
+            let gap = self.comments.original.get(end..*at).unwrap_or_default();
+            gap.trim_matches([' ', '\t', ';']).is_empty()
+        })
     }
 
     /// An entry, `None` if a mistake in it was reported.

@@ -180,7 +180,7 @@ impl<'a> Reading<'a> {
             let work = String::from_utf8_lossy(&self.work).into_owned();
             match recognise(&work) {
                 Ok(pairs) => {
-                    let mut builder = build::Builder::new(&work, self.text, &self.comments);
+                    let mut builder = build::Builder::new(&work, self.text, &self.comments, self.unread());
                     let tree = builder.file(pairs);
                     self.mistakes.append(&mut builder.mistakes);
                     return tree;
@@ -199,6 +199,15 @@ impl<'a> Reading<'a> {
                 }
             }
         }
+    }
+
+    /// Where characters that mean nothing were left out, in order; a needless `;` changes no value.
+    fn unread(&self) -> Vec<usize> {
+        let unknown = self.mistakes.iter().filter(|m| m.code == Code::UnknownCharacter);
+        let starts = unknown.flat_map(|m| &m.labels).map(|l| l.span.start);
+        let mut starts: Vec<usize> = starts.filter(|at| !self.text[*at..].starts_with(';')).collect();
+        starts.sort_unstable();
+        starts
     }
 
     fn has_lexical_mistake(&self, entry: &Span, failure: usize) -> bool {
