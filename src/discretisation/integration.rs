@@ -115,6 +115,8 @@ struct System<'a> {
     position: &'a [Vec3],
     /// `w_ab` of each entry, m³; zero for `b = a`, which drops out.
     weight: Vec<f64>,
+    /// `w_ab (X_b − X_a)` of each entry, m⁴.
+    arm: Vec<Vec3>,
     /// `M_a⁻¹`, m⁻⁵.
     inverse_moment: Vec<Mat3>,
     /// Inverse of the diagonal of `K`, m⁻³.
@@ -140,19 +142,27 @@ impl<'a> System<'a> {
         };
         let weight: Vec<f64> = (0..position.len()).into_par_iter().flat_map_iter(row).collect();
 
+        let arm = |a: usize| {
+            let weight = &weight;
+            list.range(a)
+                .map(move |entry| weight[entry] * (position[list.neighbour[entry] as usize] - position[a]))
+        };
+        let arm: Vec<Vec3> = (0..position.len()).into_par_iter().flat_map_iter(arm).collect();
+
         let sums = |a: usize| {
             let (mut zeroth, mut first, mut second) = (0.0, Vec3::zeros(), Mat3::zeros());
             for entry in list.range(a) {
                 let d = position[list.neighbour[entry] as usize] - position[a];
                 zeroth += weight[entry];
-                first += weight[entry] * d;
-                second += weight[entry] * d * d.transpose();
+                first += arm[entry];
+                second += arm[entry] * d.transpose();
             }
-            (zeroth, first, inverse(&second))
+            ((zeroth, first), inverse(&second))
         };
-        let sums: Vec<(f64, Vec3, Option<Mat3>)> = (0..position.len()).into_par_iter().map(sums).collect();
+        let sums: Vec<((f64, Vec3), Option<Mat3>)> = (0..position.len()).into_par_iter().map(sums).collect();
+        let (moments, second): (Vec<(f64, Vec3)>, Vec<Option<Mat3>>) = sums.into_iter().unzip();
         let mut inverse_moment = Vec::with_capacity(position.len());
-        for (a, (_, _, moment)) in sums.iter().enumerate() {
+        for (a, moment) in second.into_iter().enumerate() {
             inverse_moment.push(moment.ok_or_else(|| DiscretisationError::SingularMoments {
                 particle: a,
                 position: position[a],
@@ -160,35 +170,26 @@ impl<'a> System<'a> {
             })?);
         }
         let diagonal = |a: usize| {
-            let (zeroth, first, _) = &sums[a];
+            let (zeroth, first) = &moments[a];
             let mut diagonal = 2.0 * zeroth - first.dot(&(inverse_moment[a] * first));
             for entry in list.range(a) {
                 let b = list.neighbour[entry] as usize;
-                let d = position[b] - position[a];
-                diagonal -= weight[entry] * weight[entry] * d.dot(&(inverse_moment[b] * d));
+                diagonal -= arm[entry].dot(&(inverse_moment[b] * arm[entry]));
             }
             1.0 / diagonal
         };
         let preconditioner = (0..position.len()).into_par_iter().map(diagonal).collect();
-        Ok(Self {
-            list,
-            position,
-            weight,
-            inverse_moment,
-            preconditioner,
-            linear: linear_functions(position),
-        })
+        let linear = linear_functions(position);
+        Ok(Self { list, position, weight, arm, inverse_moment, preconditioner, linear })
     }
 
     /// Least-squares gradients of the three components of `φ`, one a row.
     fn gradients(&self, phi: &[Vec3]) -> Vec<Mat3> {
         let gradient = |a: usize| {
-            let mut sum = Mat3::zeros();
-            for entry in self.list.range(a) {
-                let b = self.list.neighbour[entry] as usize;
-                sum += (self.weight[entry] * (phi[b] - phi[a]))
-                    * (self.position[b] - self.position[a]).transpose();
-            }
+            let range = self.list.range(a);
+            let entries = self.list.neighbour[range.clone()].iter().zip(&self.arm[range]);
+            let sum = entries
+                .fold(Mat3::zeros(), |sum, (&b, arm)| sum + (phi[b as usize] - phi[a]) * arm.transpose());
             sum * self.inverse_moment[a]
         };
         (0..phi.len()).into_par_iter().map(gradient).collect()
@@ -198,11 +199,15 @@ impl<'a> System<'a> {
     fn apply(&self, phi: &[Vec3]) -> Vec<Vec3> {
         let g = self.gradients(phi);
         let row = |a: usize| {
-            self.list.range(a).fold(Vec3::zeros(), |sum, entry| {
-                let b = self.list.neighbour[entry] as usize;
-                let d = self.position[b] - self.position[a];
-                sum + self.weight[entry] * ((g[a] + g[b]) * d - 2.0 * (phi[b] - phi[a]))
-            })
+            let range = self.list.range(a);
+            let entries = self.list.neighbour[range.clone()].iter();
+            entries.zip(&self.arm[range.clone()]).zip(&self.weight[range]).fold(
+                Vec3::zeros(),
+                |sum, ((&b, arm), w)| {
+                    let b = b as usize;
+                    sum + ((g[a] + g[b]) * arm - (2.0 * w) * (phi[b] - phi[a]))
+                },
+            )
         };
         (0..phi.len()).into_par_iter().map(row).collect()
     }

@@ -35,7 +35,9 @@ pub(super) struct Prism {
 impl Prism {
     /// Nodes of the prism, see [`Particles::lattice`](super::Particles::lattice).
     ///
-    /// Nodes are in lexicographic order of their lattice lines, the axis with the fewest lines fastest.
+    /// Nodes are in lexicographic order of their lattice lines, the axis with the fewest lines fastest. At
+    /// 64 000 nodes a loop over neighbours takes 1.3 times as long in Morton order and 2.7 times in random
+    /// order (measured with [`Stencils::stable_length`](super::Stencils::stable_length) on one thread).
     pub fn particles(
         &self,
         spacing: f64,
