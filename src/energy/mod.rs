@@ -3,6 +3,7 @@
 //! Owns constitutive laws: a tape over invariants is traced once, differentiated by num-dual and
 //! run over blocks of particles. Knows neither particles nor time nor text.
 
+pub mod audit;
 mod differentiate;
 mod error;
 mod graph;

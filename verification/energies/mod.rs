@@ -2,10 +2,12 @@
 
 use super::Claim;
 
+mod audits;
 mod closed_forms;
 mod derivatives;
 mod known_values;
 pub(crate) mod laws;
+mod stretches;
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[
@@ -24,6 +26,18 @@ pub(crate) const CLAIMS: &[Claim] = &[
     known_values::FASTEST_WAVE,
     known_values::WAVE_ESTIMATE,
     known_values::PULLED_STRIP,
+    audits::OBLIQUE,
+    stretches::EQUAL_STRETCHES,
+    stretches::EQUAL_STRETCHES_TANGENT,
+    stretches::REAL_EXPONENTS,
+    audits::MODULI,
+    audits::ONE_SIDED,
+    audits::GROWTH,
+    audits::CONVEXITY,
+    audits::BAKER_ERICKSEN,
+    audits::ELLIPTICITY,
+    audits::MATRIX_CARRIES,
+    audits::OVERFLOW,
 ];
 
 #[cfg(test)]
