@@ -65,7 +65,7 @@ pub struct RunOptions {
     /// The file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Folder to write to; one folder a scene below it if the file has several [default: out/<file>/<scene>]
+    /// Folder to write to; one folder a scene or drive below it if the file has several [default: out/<file>/<name>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Threads to compute on; results do not depend on it [default: all cores]
@@ -74,7 +74,7 @@ pub struct RunOptions {
     /// Put a value in place of the one written: strip.spacing=0.25mm
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = parse_override)]
     pub overrides: Vec<(String, String)>,
-    /// Only this scene
+    /// Only this scene or drive
     #[arg(long, value_name = "NAME")]
     pub scene: Option<String>,
     /// Replace the results of an earlier run in the output folder

@@ -48,6 +48,7 @@ fn print(input: &Input) {
             "  materials  {}",
             names(input.document.materials.iter().map(|m| m.name.as_str()).collect())
         );
+        println!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
         println!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
     } else {
         eprintln!("{}: {}", input.name, count(input.mistakes.len()));
@@ -62,6 +63,7 @@ fn as_json(input: &Input) -> Value {
         "hash": input.hash,
         "mistakes": mistakes,
         "materials": input.document.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
+        "drives": input.document.drives.iter().map(|d| &d.name).collect::<Vec<_>>(),
         "scenes": input.document.scenes.iter().map(|s| &s.name).collect::<Vec<_>>(),
     })
 }

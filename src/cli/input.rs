@@ -2,7 +2,7 @@
 
 use super::Exit;
 use crate::output::provenance;
-use crate::scene::{Document, FileSystem, LoadError, Loader, Mistake, Scene, resolve};
+use crate::scene::{Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, resolve};
 use crate::syntax::Source;
 use std::cell::RefCell;
 use std::path::Path;
@@ -96,4 +96,30 @@ pub fn scenes<'a>(input: &'a Input, name: Option<&str>) -> Result<Vec<&'a Scene>
             }
         },
     }
+}
+
+/// The scenes and drives asked for: one by name, or all.
+///
+/// # Errors
+/// [`Exit::WrongInput`] after printing which there are.
+pub fn runnable<'a>(input: &'a Input, name: Option<&str>) -> Result<(Vec<&'a Scene>, Vec<&'a Drive>), Exit> {
+    let (scenes, drives) = (&input.document.scenes, &input.document.drives);
+    let wanted = |found: &str| name.is_none_or(|name| name == found);
+    let chosen: Vec<&Scene> = scenes.iter().filter(|scene| wanted(&scene.name)).collect();
+    let driven: Vec<&Drive> = drives.iter().filter(|drive| wanted(&drive.name)).collect();
+    if !chosen.is_empty() || !driven.is_empty() {
+        return Ok((chosen, driven));
+    }
+    let names = scenes.iter().map(|scene| &scene.name).chain(drives.iter().map(|drive| &drive.name));
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match name {
+        Some(name) if !names.is_empty() => {
+            eprintln!("error: {} has no scene or drive `{name}`; it has {}", input.name, names.join(", "));
+        }
+        _ => eprintln!(
+            "error: {} has nothing to run; write `scene name {{ … }}` or `drive name {{ … }}`",
+            input.name
+        ),
+    }
+    Err(Exit::WrongInput)
 }

@@ -5,6 +5,7 @@
 
 mod arguments;
 mod check;
+mod drive;
 mod explain;
 mod input;
 mod plan;

@@ -2,25 +2,26 @@
 
 use super::Exit;
 use super::arguments::RunOptions;
-use super::input::{Input, read_or_explain, scenes};
+use super::drive::run_drive;
+use super::input::{Input, read_or_explain, runnable};
 use super::progress::Bar;
 use crate::output::file::{create_fresh_folder, write_atomic};
-use crate::output::report::RunStatus;
-use crate::output::{Provenance, RunReport};
+use crate::output::report::{ExpectationVerdict, RunStatus};
+use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
-use crate::run::{Job, Outcome, execute, figures};
-use crate::scene::Scene;
+use crate::run::{self, Outcome, execute, figures};
+use crate::scene::{Drive, Plot, Scene};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Runs a file's scenes.
+/// Runs a file's drives and scenes.
 pub fn run(options: &RunOptions) -> Exit {
     let input = match read_or_explain(&options.file, &options.overrides) {
         Ok(input) => input,
         Err(exit) => return exit,
     };
-    let scenes = match scenes(&input, options.scene.as_deref()) {
-        Ok(scenes) => scenes,
+    let (scenes, drives) = match runnable(&input, options.scene.as_deref()) {
+        Ok(found) => found,
         Err(exit) => return exit,
     };
     let mut builder = rayon::ThreadPoolBuilder::new();
@@ -34,15 +35,20 @@ pub fn run(options: &RunOptions) -> Exit {
             return Exit::Failed;
         }
     };
-    let several = scenes.len() > 1;
+    let several = scenes.len() + drives.len() > 1;
     let mut exit = Exit::Fine;
-    for scene in scenes {
-        let folder = folder(options, scene, several);
+    // Drives first: they take a blink.
+    let jobs = drives.into_iter().map(Job::Drive).chain(scenes.into_iter().map(Job::Scene));
+    for job in jobs {
+        let folder = folder(options, job.name(), several);
         if let Err(message) = prepare(&folder, options.overwrite) {
             eprintln!("error: {message}");
             return Exit::WrongInput;
         }
-        let one = pool.install(|| run_scene(options, &input, scene, &folder));
+        let one = match job {
+            Job::Scene(scene) => pool.install(|| run_scene(options, &input, scene, &folder)),
+            Job::Drive(drive) => run_drive(options, &input, drive, &folder),
+        };
         if one != Exit::Fine {
             exit = one;
         }
@@ -50,14 +56,29 @@ pub fn run(options: &RunOptions) -> Exit {
     exit
 }
 
-/// `out/<file>/<scene>`, or what the command line says.
-fn folder(options: &RunOptions, scene: &Scene, several: bool) -> PathBuf {
+/// Something to run.
+enum Job<'a> {
+    Scene(&'a Scene),
+    Drive(&'a Drive),
+}
+
+impl Job<'_> {
+    fn name(&self) -> &str {
+        match self {
+            Self::Scene(scene) => &scene.name,
+            Self::Drive(drive) => &drive.name,
+        }
+    }
+}
+
+/// `out/<file>/<name>`, or what the command line says.
+fn folder(options: &RunOptions, name: &str, several: bool) -> PathBuf {
     match &options.out {
-        Some(out) if several => out.join(&scene.name),
+        Some(out) if several => out.join(name),
         Some(out) => out.clone(),
         None => {
             let stem = options.file.file_stem().unwrap_or_default();
-            Path::new("out").join(stem).join(&scene.name)
+            Path::new("out").join(stem).join(name)
         }
     }
 }
@@ -89,7 +110,7 @@ fn prepare(folder: &Path, overwrite: bool) -> Result<(), String> {
 fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) -> Exit {
     let plan = Plan::new(scene);
     let provenance = Provenance::new(&input.name, &input.hash, &scene.name);
-    let job = Job { scene, plan: &plan, provenance, folder: Some(folder.to_path_buf()) };
+    let job = run::Job { scene, plan: &plan, provenance, folder: Some(folder.to_path_buf()) };
     let mut bar = Bar::new(&scene.name, options.quiet);
     let outcome = execute(&job, &mut bar);
     bar.finish();
@@ -101,20 +122,10 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         }
     };
     let mut exit = if report.status == RunStatus::Held { Exit::Fine } else { Exit::Failed };
-    for (name, drawn) in figures(scene, &tables, &job.provenance) {
-        let written = drawn.and_then(|svg| {
-            let file = format!("{name}.svg");
-            write_atomic(&folder.join(&file), svg.as_bytes())
-                .map_err(|cause| cause.to_string())
-                .map(|()| file)
-        });
-        match written {
-            Ok(file) => report.files.push(file),
-            Err(cause) => {
-                eprintln!("error: plot `{name}`: {cause}");
-                exit = Exit::Failed;
-            }
-        }
+    let (files, drawn) = draw(&scene.name, &scene.plots, &tables, &job.provenance, folder);
+    report.files.extend(files);
+    if !drawn {
+        exit = Exit::Failed;
     }
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
         eprintln!("error: cannot write {}: {cause}", folder.join("run.json").display());
@@ -127,9 +138,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
     if !options.quiet {
         print_summary(scene, &report, folder);
     } else {
-        for verdict in report.expectations.iter().filter(|verdict| !verdict.holds) {
-            eprintln!("FAILS  {}  ({})", verdict.text, verdict.note);
-        }
+        print_faults(&report.expectations);
     }
     exit
 }
@@ -144,7 +153,13 @@ fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {
         report.wall_seconds,
         report.updates_per_second
     );
-    for verdict in &report.expectations {
+    print_verdicts(&report.expectations);
+    println!("  written to {}", folder.display());
+}
+
+/// The verdict on every `expect` line, with its numbers.
+pub(super) fn print_verdicts(verdicts: &[ExpectationVerdict]) {
+    for verdict in verdicts {
         let mark = if verdict.holds { "holds" } else { "FAILS" };
         println!("  {mark}  {}", verdict.text);
         match verdict.measured {
@@ -158,5 +173,38 @@ fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {
             None => println!("         {}", verdict.note),
         }
     }
-    println!("  written to {}", folder.display());
+}
+
+/// The expectations that do not hold, for a quiet run.
+pub(super) fn print_faults(verdicts: &[ExpectationVerdict]) {
+    for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
+        eprintln!("FAILS  {}  ({})", verdict.text, verdict.note);
+    }
+}
+
+/// Draws plots into a folder: the files written, and whether all were.
+pub(super) fn draw(
+    title: &str,
+    plots: &[Plot],
+    tables: &[Table],
+    provenance: &Provenance,
+    folder: &Path,
+) -> (Vec<String>, bool) {
+    let (mut files, mut sound) = (Vec::new(), true);
+    for (name, drawn) in figures(title, plots, tables, provenance) {
+        let written = drawn.and_then(|svg| {
+            let file = format!("{name}.svg");
+            write_atomic(&folder.join(&file), svg.as_bytes())
+                .map_err(|cause| cause.to_string())
+                .map(|()| file)
+        });
+        match written {
+            Ok(file) => files.push(file),
+            Err(cause) => {
+                eprintln!("error: plot `{name}`: {cause}");
+                sound = false;
+            }
+        }
+    }
+    (files, sound)
 }

@@ -56,15 +56,33 @@ impl<'a> Drive<'a> {
     /// # Panics
     /// If there are fewer directions than the law reads.
     pub fn follow(&self, path: impl Fn(f64) -> Target, parameters: &[f64]) -> Result<Vec<Point>, DriveError> {
+        let mut points: Vec<Point> = Vec::with_capacity(parameters.len());
+        self.visit(path, parameters, |point| points.push(*point))?;
+        Ok(points)
+    }
+
+    /// [`Drive::follow`] with each equilibrium shown as it is found, so that none is lost to an error
+    /// further on.
+    ///
+    /// # Errors
+    /// As [`Drive::follow`].
+    ///
+    /// # Panics
+    /// As [`Drive::follow`].
+    pub fn visit(
+        &self,
+        path: impl Fn(f64) -> Target,
+        parameters: &[f64],
+        mut found: impl FnMut(&Point),
+    ) -> Result<(), DriveError> {
         let mut system = System {
             law: self.law,
             directions: self.directions.iter().map(|a| self.frame.transpose() * a).collect(),
             is_incompressible: self.volume == Volume::Incompressible,
             scratch: Scratch::default(),
         };
-        let Some(&first) = parameters.first() else { return Ok(Vec::new()) };
+        let Some(&first) = parameters.first() else { return Ok(()) };
         let start = path(first);
-        let mut points: Vec<Point> = Vec::with_capacity(parameters.len());
         let approach = |part: f64| start.scaled(part);
         let start_error =
             |cause| DriveError::NoStart { wanted: first, part: 0.0, f: Mat3::identity(), cause };
@@ -73,7 +91,7 @@ impl<'a> Drive<'a> {
             let Stop { part, f, cause, .. } = stop;
             stop.described(first, DriveError::NoStart { wanted: first, part, f, cause })
         })?;
-        points.push(self.point(&mut system, &solved, first));
+        found(&self.point(&mut system, &solved, first));
         // The part of the way that went well lately is where the next step begins.
         let mut length = 1.0;
         for pair in parameters.windows(2) {
@@ -82,9 +100,9 @@ impl<'a> Drive<'a> {
                 let Stop { at: reached, f, cause, .. } = stop;
                 stop.described(range.1, DriveError::NoEquilibrium { reached, wanted: range.1, f, cause })
             })?;
-            points.push(self.point(&mut system, &solved, pair[1]));
+            found(&self.point(&mut system, &solved, pair[1]));
         }
-        Ok(points)
+        Ok(())
     }
 
     /// The record of an equilibrium, turned to the common axes.

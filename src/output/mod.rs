@@ -3,6 +3,7 @@
 //! Owns the formats of everything written. Nothing here knows the solver or how a number was
 //! computed; figures are drawn from tables and frames only.
 
+pub mod drive_report;
 pub mod figure;
 pub mod file;
 pub mod frame;
@@ -11,6 +12,7 @@ pub mod provenance;
 pub mod report;
 pub mod table;
 
+pub use drive_report::DriveReport;
 pub use figure::{Axis, FieldFigure, Figure, FigureError, Mark, Panel, Scale, Series, Slope, View};
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;

@@ -1,5 +1,7 @@
 //! Why a run left no complete result.
 
+use crate::drive::DriveError;
+use crate::energy::EnergyError;
 use crate::monitor::ProbeError;
 use crate::output::{FrameError, TableError};
 use crate::solver::SolveError;
@@ -13,6 +15,15 @@ use std::path::PathBuf;
 pub enum RunError {
     /// The simulation could not be set up or went wrong.
     Solve(SolveError),
+    /// The energy of a drive cannot be differentiated.
+    Law {
+        /// The material.
+        material: String,
+        /// Why not.
+        cause: EnergyError,
+    },
+    /// The axes of a drive are none.
+    Drive(DriveError),
     /// A record asks for a place that is not there.
     Probe(ProbeError),
     /// A table could not be written.
@@ -32,6 +43,8 @@ impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Solve(cause) => write!(f, "{cause}"),
+            Self::Law { material, cause } => write!(f, "material `{material}`: {cause}"),
+            Self::Drive(cause) => write!(f, "{cause}"),
             Self::Probe(cause) => write!(f, "{cause}"),
             Self::Table(cause) => write!(f, "{cause}"),
             Self::Frame(cause) => write!(f, "{cause}"),
@@ -63,5 +76,11 @@ impl From<TableError> for RunError {
 impl From<FrameError> for RunError {
     fn from(cause: FrameError) -> Self {
         Self::Frame(cause)
+    }
+}
+
+impl From<DriveError> for RunError {
+    fn from(cause: DriveError) -> Self {
+        Self::Drive(cause)
     }
 }

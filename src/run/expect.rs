@@ -202,15 +202,14 @@ fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, S
         Sample::Column { record, column } => {
             let at = at.ok_or_else(|| format!("`{record}.{column}` needs an `at`"))?;
             let y = column_of(tables, record, column)?;
-            // a column of another record is read where time takes the value it has there
+            // a column of another record is read where time (or the parameter) has the value it has there
             let x = column_of(tables, at.record, at.column)?;
             let value = if record == at.record {
                 crossing(&x, &y, at.value)
             } else {
-                let there = column_of(tables, at.record, "t")?;
-                let time = crossing(&x, &there, at.value);
-                let own = column_of(tables, record, "t")?;
-                time.and_then(|time| crossing(&own, &y, time))
+                let there = order_of(tables, at.record)?;
+                let own = order_of(tables, record)?;
+                crossing(&x, &there, at.value).and_then(|there| crossing(&own, &y, there))
             };
             value.ok_or_else(|| {
                 format!("`{}.{}` never takes the value {:.6e}", at.record, at.column, at.value)
@@ -233,6 +232,13 @@ fn column_of(tables: &[Table], record: &str, column: &str) -> Result<Vec<f64>, S
         .find(|table| table.name == record)
         .and_then(|table| table.column(column))
         .ok_or_else(|| format!("no column `{record}.{column}` was recorded"))
+}
+
+/// The column a record's rows are ordered by: time, or the parameter of a path.
+fn order_of(tables: &[Table], record: &str) -> Result<Vec<f64>, String> {
+    let table = tables.iter().find(|table| table.name == record);
+    let first = table.and_then(|table| table.column(&table.columns.first()?.name));
+    first.ok_or_else(|| format!("no table `{record}` was recorded"))
 }
 
 fn reference_column<'a>(reference: &'a Reference, column: &str) -> Result<&'a [f64], String> {

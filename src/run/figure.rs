@@ -1,24 +1,25 @@
-//! The plots of a scene, drawn from its tables.
+//! The plots of a scene or a drive, drawn from its tables.
 //!
 //! Owns the choice of what goes into a figure; drawing is the output layer's.
 
 use crate::output::{Axis, Figure, Mark, Provenance, Scale, Series, Table};
-use crate::scene::{Plot, Scene};
+use crate::scene::Plot;
 
-/// Name and SVG text, or what was in the way, of every plot of a scene.
+/// Name and SVG text, or what was in the way, of every plot; `title` is the scene's or the drive's name.
 pub fn figures(
-    scene: &Scene,
+    title: &str,
+    plots: &[Plot],
     tables: &[Table],
     provenance: &Provenance,
 ) -> Vec<(String, Result<String, String>)> {
     let draw =
-        |plot: &Plot| curves(scene, plot, tables, provenance)?.to_svg().map_err(|cause| cause.to_string());
-    scene.plots.iter().map(|plot| (plot.name.clone(), draw(plot))).collect()
+        |plot: &Plot| curves(title, plot, tables, provenance)?.to_svg().map_err(|cause| cause.to_string());
+    plots.iter().map(|plot| (plot.name.clone(), draw(plot))).collect()
 }
 
-fn curves(scene: &Scene, plot: &Plot, tables: &[Table], provenance: &Provenance) -> Result<Figure, String> {
+fn curves(title: &str, plot: &Plot, tables: &[Table], provenance: &Provenance) -> Result<Figure, String> {
     let mut figure = Figure {
-        title: format!("{}: {}", scene.name, plot.name),
+        title: format!("{title}: {}", plot.name),
         provenance: provenance.lines(),
         ..Figure::default()
     };

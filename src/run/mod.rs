@@ -3,6 +3,7 @@
 //! Owns the order of a run: step, sample, write, judge. Knows neither the terminal nor text.
 
 mod cost;
+mod drive;
 mod error;
 mod execute;
 mod expect;
@@ -12,6 +13,7 @@ mod schedule;
 mod snapshot;
 
 pub use cost::Cost;
+pub use drive::{DriveJob, DriveOutcome, drive};
 pub use error::RunError;
 pub use execute::{Job, Outcome, Progress, execute};
 pub use expect::{control, judge, judge_all};

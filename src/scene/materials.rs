@@ -83,6 +83,7 @@ pub(super) fn read(
         parameters: whole.parameters,
         terms: whole.terms,
         directions: directions.named(fibres.iter().chain(&*used.borrow())),
+        frame: directions.named(frame.iter().map(|(name, _)| &name.text)),
     };
     if mistakes.len() > before {
         return Err(Reported);

@@ -4,6 +4,7 @@
 //! neither the solver nor files written.
 
 mod blocks;
+mod drives;
 mod energies;
 mod evaluate;
 mod file;
@@ -13,6 +14,7 @@ mod loader;
 mod materials;
 mod members;
 mod model;
+mod model_drive;
 mod resolve;
 mod scenes;
 mod session;
@@ -22,5 +24,6 @@ pub use file::Mistake;
 pub use library::{LibraryFile, library};
 pub use loader::{FileSystem, LoadError, Loader, Memory};
 pub use model::*;
+pub use model_drive::*;
 pub use resolve::resolve;
 pub use words::{explain, nearest_word, vocabulary};

@@ -22,6 +22,8 @@ pub struct Document {
     pub materials: Vec<Material>,
     /// Scenes in order.
     pub scenes: Vec<Scene>,
+    /// Drives of a material point in order.
+    pub drives: Vec<super::Drive>,
 }
 
 /// A hyperelastic material.
@@ -41,6 +43,8 @@ pub struct Material {
     pub terms: Vec<(String, Place)>,
     /// Named directions, the indices of the invariants.
     pub directions: Vec<Direction>,
+    /// Directions of its frame, known by name to a drive.
+    pub frame: Vec<Direction>,
 }
 
 /// One parameter of a material.

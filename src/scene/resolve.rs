@@ -3,8 +3,9 @@
 use super::file::Mistake;
 use super::loader::Loader;
 use super::model::Document;
-use super::scenes;
 use super::session::Session;
+use super::words::DRIVE;
+use super::{drives, scenes};
 use crate::syntax::{Item, Source};
 
 /// The meaning of a file, and every mistake found in it and in the files it imports.
@@ -30,7 +31,11 @@ pub fn resolve(
     for index in &module.rest {
         let Item::Block(block) = &file.tree.items[*index] else { continue };
         let Some(name) = block.target.as_ref().and_then(|path| path.parts.first()) else { continue };
-        document.scenes.extend(scenes::read(&mut session, &file, block, name, &module));
+        if block.kind.text == DRIVE.word {
+            document.drives.extend(drives::read(&mut session, &file, block, name, &module));
+        } else {
+            document.scenes.extend(scenes::read(&mut session, &file, block, name, &module));
+        }
     }
     session.overrides.finish(&mut session.mistakes);
     (document, session.mistakes.finish(&file))

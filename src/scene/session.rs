@@ -84,7 +84,7 @@ impl<'a> Session<'a> {
         for (index, item) in file.tree.items.iter().enumerate() {
             let Item::Block(block) = item else { continue };
             let kind = block.kind.text.as_str();
-            if !matches!(kind, "energy" | "material" | "scene") {
+            if !matches!(kind, "energy" | "material" | "scene" | "drive") {
                 unknown_block(&mut self.mistakes, file, block, None);
                 continue;
             }

@@ -21,7 +21,7 @@ struct Sides {
 }
 
 impl Stage<'_> {
-    pub(super) fn expectation(&mut self, entry: &ExpectEntry) -> Result<(), Reported> {
+    pub(in crate::scene) fn expectation(&mut self, entry: &ExpectEntry) -> Result<(), Reported> {
         let file = Rc::clone(&self.file);
         let judgement = match &file.tree.expr(entry.claim).kind {
             ExprKind::Call { function, arguments } if function.text == "never_grows" => {
@@ -171,7 +171,8 @@ impl Stage<'_> {
                 return Ok(None);
             }
             let message = "a column holds many values: it must be said where the claim holds";
-            let help = Some("write `at t = 1 ms` behind it, or `max(record.column) < …`".into());
+            let place = if self.abscissa == TIME { "t = 1 ms" } else { &format!("{} = …", self.abscissa) };
+            let help = Some(format!("write `at {place}` behind it, or `max(record.column) < …`"));
             let span = file.span(entry.claim);
             return Err(self.mistakes.report(file, Code::MissingArgument, span, message, "", help));
         };
@@ -226,9 +227,9 @@ impl Stage<'_> {
 
     fn abscissa_name(&mut self, file: &File, at: &At, first: Option<String>) -> Result<ColumnName, Reported> {
         match (&file.tree.expr(at.key).kind, first) {
-            (ExprKind::Name(name), Some(record)) if name == TIME => {
+            (ExprKind::Name(name), Some(record)) if *name == self.abscissa => {
                 let span = file.span(at.key);
-                let column = Name { text: TIME.into(), span: span.clone() };
+                let column = Name { text: self.abscissa.clone(), span: span.clone() };
                 Ok(ColumnName { table: Name { text: record, span }, column })
             }
             _ => column_name(self.mistakes, file, at.key),

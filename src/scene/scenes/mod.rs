@@ -25,7 +25,7 @@ use super::model::Scene;
 use super::session::{Module, Session};
 use super::words::SCENE;
 use crate::syntax::{Block, Name};
-use stage::Stage;
+pub(super) use stage::Stage;
 use std::rc::Rc;
 
 /// Blocks a scene can have, in the order they are read.

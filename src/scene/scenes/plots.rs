@@ -18,7 +18,7 @@ pub(super) struct ColumnName {
 }
 
 impl Stage<'_> {
-    pub(super) fn plot(&mut self, block: &Block) -> Result<(), Reported> {
+    pub(in crate::scene) fn plot(&mut self, block: &Block) -> Result<(), Reported> {
         let name = self.output_name(block)?;
         let file = Rc::clone(&self.file);
         let members = Members::read(self.mistakes, &file, &PLOT, block);

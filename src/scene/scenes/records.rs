@@ -19,7 +19,7 @@ pub(super) const TIME: &str = "t";
 
 impl Stage<'_> {
     /// The name of a table, of frames or of a figure, which is also that of their files.
-    pub(super) fn output_name(&mut self, block: &Block) -> Result<Name, Reported> {
+    pub(in crate::scene) fn output_name(&mut self, block: &Block) -> Result<Name, Reported> {
         let name = block_name(self.mistakes, &self.file, block).ok_or(Reported)?;
         if let Some(first) = self.outputs.get(&name.text) {
             duplicate(self.mistakes, &self.file, &name, first);

@@ -6,6 +6,7 @@ use super::super::loader::Loader;
 use super::super::members::{Members, Overrides, Site, duplicate};
 use super::super::model::*;
 use super::super::session::{Materials, Module, Session};
+use super::records::TIME;
 use super::scope::SceneScope;
 use super::tables::Tables;
 use crate::expression::Tape;
@@ -19,20 +20,22 @@ use std::rc::Rc;
 pub(super) type Records = BTreeMap<String, BTreeMap<String, Option<Dimension>>>;
 
 /// A scene under construction.
-pub(super) struct Stage<'a> {
-    pub(super) mistakes: &'a mut Mistakes,
-    pub(super) overrides: &'a Overrides,
+pub(in crate::scene) struct Stage<'a> {
+    pub(in crate::scene) mistakes: &'a mut Mistakes,
+    pub(in crate::scene) overrides: &'a Overrides,
     pub(super) loader: &'a dyn Loader,
-    pub(super) file: Rc<File>,
-    pub(super) name: Name,
-    pub(super) lets: Lets,
-    pub(super) materials: &'a Materials,
+    pub(in crate::scene) file: Rc<File>,
+    pub(in crate::scene) name: Name,
+    pub(in crate::scene) lets: Lets,
+    pub(in crate::scene) materials: &'a Materials,
     /// Tables read by `let name = csv(…)`; `None` where one could not be read.
     pub(super) tables: Tables,
     /// Names of bodies, of those that are wrong as well.
     pub(super) body_names: Vec<Name>,
     /// Dimensions of the columns of each record; `None` where a column is wrong.
-    pub(super) columns: Records,
+    pub(in crate::scene) columns: Records,
+    /// The column every table begins with: `t`, or the parameter of a drive.
+    pub(in crate::scene) abscissa: String,
     /// Names of records, frames and plots.
     pub(super) outputs: BTreeMap<String, Name>,
     /// Where each prescribed motion is written, in the order of the scene's.
@@ -46,11 +49,11 @@ pub(super) struct Stage<'a> {
     pub(super) run: Option<Run>,
     pub(super) run_seen: Option<Name>,
     pub(super) single: BTreeMap<String, Name>,
-    pub(super) scene: Scene,
+    pub(in crate::scene) scene: Scene,
 }
 
 impl<'a> Stage<'a> {
-    pub(super) fn new(
+    pub(in crate::scene) fn new(
         session: &'a mut Session,
         file: &Rc<File>,
         name: &Name,
@@ -68,6 +71,7 @@ impl<'a> Stage<'a> {
             tables: BTreeMap::new(),
             body_names: Vec::new(),
             columns: BTreeMap::new(),
+            abscissa: TIME.into(),
             outputs: BTreeMap::new(),
             sites: Vec::new(),
             load_sites: Vec::new(),
@@ -208,7 +212,7 @@ impl<'a> Stage<'a> {
     }
 
     /// One of the words a key allows.
-    pub(super) fn choice(
+    pub(in crate::scene) fn choice(
         &mut self,
         site: &Site,
         declaration: &Declaration,

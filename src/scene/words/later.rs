@@ -15,10 +15,6 @@ const fn block(
 pub(super) static CHECK: Declaration =
     block("check", None, Target::Name, "What must hold of a material law itself, with no scene.");
 
-/// `drive name { … }`
-pub(super) static DRIVE: Declaration =
-    block("drive", None, Target::Name, "One material point led along a path of deformation.");
-
 /// `fit name { … }`
 pub(super) static FIT: Declaration = block("fit", None, Target::Name, "Parameters of a material from data.");
 
@@ -60,7 +56,7 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "let",
         form: "let w = 30 s^-1",
         doc: "A name for an expression.",
-        context: "in `energy`, `material` and `scene`",
+        context: "in `energy`, `material`, `scene` and `drive`",
     },
     Word {
         word: "fibre",
@@ -84,12 +80,12 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "expect",
         form: "expect a == b within 1 % at record.column = [v, w]",
         doc: "What must hold of the recorded tables.",
-        context: "in `scene`",
+        context: "in `scene` and `drive`",
     },
     Word {
         word: "csv",
         form: "csv(\"data.csv\", d = \"disp_mm\")",
         doc: "A table from a file; the unit is the last part of a column's name.",
-        context: "in `scene`",
+        context: "in `scene` and `drive`",
     },
 ];

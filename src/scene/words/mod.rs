@@ -4,6 +4,7 @@
 //! syntax and no values.
 
 mod body;
+mod drive;
 mod expressions;
 mod later;
 mod law;
@@ -14,6 +15,7 @@ mod run;
 use crate::schema::{Declaration, Vocabulary};
 
 pub(super) use body::{BODY, SYMMETRY};
+pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
 pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, PULL, SLIDE, START, TRACTION};
@@ -38,8 +40,10 @@ static BLOCKS: &[&Declaration] = &[
     &RECORD,
     &FRAMES,
     &PLOT,
+    &DRIVE,
+    &POINT_RECORD,
+    &drive::POINT_PLOT,
     &later::CHECK,
-    &later::DRIVE,
     &later::FIT,
     &later::SWEEP,
     &later::TRADE,
@@ -49,7 +53,17 @@ static BLOCKS: &[&Declaration] = &[
 
 static VOCABULARY: Vocabulary = Vocabulary {
     blocks: BLOCKS,
-    words: &[FUNCTIONS, ENERGY_WORDS, PLACE_WORDS, PROBES, FIELD_WORDS, SAMPLES, later::STATEMENTS],
+    words: &[
+        FUNCTIONS,
+        ENERGY_WORDS,
+        PLACE_WORDS,
+        PROBES,
+        FIELD_WORDS,
+        SAMPLES,
+        PATHS,
+        POINT_WORDS,
+        later::STATEMENTS,
+    ],
 };
 
 /// The words of this version of the language.

@@ -1,0 +1,169 @@
+//! `record` of a drive: columns over the parameter of the path.
+
+use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Scope, Value};
+use super::super::file::{File, Reported};
+use super::super::members::Members;
+use super::super::model_drive::{PointColumn, PointProbe, PointRecord};
+use super::super::scenes::Stage;
+use super::super::words::{POINT_RECORD, POINT_WORDS};
+use super::path::Way;
+use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
+use crate::unit::Dimension;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+impl Leaves for PointProbe {}
+
+/// Reads a record and declares its columns.
+pub(super) fn read(stage: &mut Stage, block: &Block, way: &Way) -> Result<PointRecord, Reported> {
+    let name = stage.output_name(block)?;
+    let file = Rc::clone(&stage.file);
+    let members = Members::read(stage.mistakes, &file, &POINT_RECORD, block);
+    stage.abscissa.clone_from(&way.parameter);
+    let mut dimensions = BTreeMap::from([(way.parameter.clone(), Some(way.dimension))]);
+    let mut columns = Vec::new();
+    let mut sound = true;
+    for (column, id) in &members.free {
+        if column.text == way.parameter {
+            let message =
+                format!("every record has the column `{}` already: it runs along the path", way.parameter);
+            stage.mistakes.report(&file, Code::DuplicateName, column.span.clone(), message, "", None);
+            sound = false;
+            continue;
+        }
+        if column.text == "every" {
+            let message = "a record of a drive has no interval: it has one row a point of the path";
+            let help = Some("say with `steps` of the path how many there are".into());
+            stage.mistakes.report(&file, Code::UnknownKey, column.span.clone(), message, "", help);
+            sound = false;
+            continue;
+        }
+        let value = value(stage, &file, way, column, *id);
+        sound &= value.is_ok();
+        dimensions.insert(column.text.clone(), value.as_ref().ok().map(|(_, dimension)| *dimension));
+        columns.extend(value.map(|(column, _)| column));
+    }
+    stage.columns.insert(name.text.clone(), dimensions);
+    if members.free.is_empty() {
+        let message = format!("the record `{}` has no columns", name.text);
+        let help = Some("write `name = …` with what is to be recorded, for example `P = P.xx`".into());
+        return Err(stage.mistakes.report(&file, Code::MissingKey, name.span, message, "", help));
+    }
+    if !sound {
+        return Err(Reported);
+    }
+    Ok(PointRecord { name: name.text, place: file.place(&block.kind.span), columns })
+}
+
+fn value(
+    stage: &mut Stage,
+    file: &Rc<File>,
+    way: &Way,
+    name: &Name,
+    id: ExprId,
+) -> Result<(PointColumn, Dimension), Reported> {
+    let scope = PointScope { file, lets: stage.lets.fresh(), way };
+    let mut evaluator = Evaluator::<PointProbe>::new(stage.mistakes);
+    let scalar = evaluator.scalar(&scope, id)?;
+    let column = PointColumn {
+        name: name.text.clone(),
+        place: file.place(&name.span),
+        value: evaluator.tape(scalar),
+        unit: scalar.dimension.si_symbol(),
+        text: file.expression(id).split_whitespace().collect::<Vec<_>>().join(" "),
+    };
+    Ok((column, scalar.dimension))
+}
+
+/// The names in a record of a drive.
+struct PointScope<'a> {
+    file: &'a Rc<File>,
+    lets: Lets,
+    way: &'a Way,
+}
+
+type Tensor = fn(u8, u8) -> PointProbe;
+
+/// A tensor by name, and the dimension of its components.
+fn tensor(word: &str) -> Option<(Tensor, Dimension)> {
+    match word {
+        "F" => Some((PointProbe::F, Dimension::NUMBER)),
+        "P" => Some((PointProbe::P, Dimension::PRESSURE)),
+        "sigma" => Some((PointProbe::Sigma, Dimension::PRESSURE)),
+        _ => None,
+    }
+}
+
+/// Row and column of `xy`.
+fn indices(component: &str) -> Option<(u8, u8)> {
+    let axes: Vec<u8> = component.chars().filter_map(|c| "xyz".find(c)).map(|axis| axis as u8).collect();
+    (component.len() == 2 && axes.len() == 2).then(|| (axes[0], axes[1]))
+}
+
+impl Scope<PointProbe> for PointScope<'_> {
+    fn file(&self) -> &Rc<File> {
+        self.file
+    }
+
+    fn name(&self, evaluator: &mut Evaluator<PointProbe>, name: &Name) -> Option<Outcome> {
+        if name.text == self.way.parameter {
+            return Some(Ok(Value::scalar(evaluator.graph.leaf(PointProbe::Parameter), self.way.dimension)));
+        }
+        if let Some(outcome) = self.lets.name(evaluator, self, name) {
+            return Some(outcome);
+        }
+        let (probe, dimension) = match name.text.as_str() {
+            "psi" => (PointProbe::Psi, Dimension::PRESSURE),
+            "J" => (PointProbe::J, Dimension::NUMBER),
+            "von_mises" => (PointProbe::VonMises, Dimension::PRESSURE),
+            "pressure" => (PointProbe::Pressure, Dimension::PRESSURE),
+            "constraint_stress" => (PointProbe::ConstraintStress, Dimension::PRESSURE),
+            "residual" => (PointProbe::Residual, Dimension::PRESSURE),
+            _ => return None,
+        };
+        Some(Ok(Value::scalar(evaluator.graph.leaf(probe), dimension)))
+    }
+
+    fn member(
+        &self,
+        evaluator: &mut Evaluator<PointProbe>,
+        base: ExprId,
+        name: &Name,
+        span: &Span,
+    ) -> Option<Outcome> {
+        let ExprKind::Name(word) = &self.file.tree.expr(base).kind else { return None };
+        let (probe, dimension) = tensor(word)?;
+        Some(match indices(&name.text) {
+            Some((i, j)) => Ok(Value::scalar(evaluator.graph.leaf(probe(i, j)), dimension)),
+            None => {
+                let message = format!("`{word}` has no component `{}`", name.text);
+                let help = Some(format!("write `{word}.xx`; x, y, z are the axes of the path"));
+                let file = self.file;
+                Err(evaluator.mistakes.report(file, Code::UnknownName, span.clone(), message, "", help))
+            }
+        })
+    }
+
+    fn call(
+        &self,
+        evaluator: &mut Evaluator<PointProbe>,
+        outer: &dyn Scope<PointProbe>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Option<Outcome> {
+        self.lets.call(evaluator, self, outer, function, arguments)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let lets = self.lets.names().map(|definition| definition.name.text.clone());
+        let words = POINT_WORDS.iter().map(|word| word.form.to_string());
+        lets.chain(words).chain([self.way.parameter.clone()]).collect()
+    }
+
+    fn hint(&self, name: &str) -> Option<String> {
+        match name {
+            "t" => Some(format!("a drive has no time: its tables run over `{}`", self.way.parameter)),
+            word => tensor(word).map(|_| format!("write a component of it: `{word}.xx`")),
+        }
+    }
+}
