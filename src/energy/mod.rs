@@ -10,6 +10,7 @@ mod graph;
 mod handle;
 mod invariant;
 mod kinematics;
+mod lanes;
 mod law;
 mod program;
 mod raw;

@@ -3,7 +3,10 @@
 //! Owns what [`super::tangent`] owns for one state, for sixteen at once: gradients and curvatures of
 //! the raw invariants, summed into one triangle of `∂²ψ/∂F∂F`.
 
-use super::kinematics::{Block, Tensor, Vector, ZERO};
+#![expect(clippy::needless_range_loop, reason = "one lane index runs through many rows")]
+
+use super::kinematics::Block;
+use super::lanes::{Tensor, Vector, ZERO};
 use super::law::{Law, Scratch};
 use super::program::{LANES, Row};
 use super::raw::Raw;

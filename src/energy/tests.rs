@@ -1,6 +1,6 @@
 //! What holds of every law, whatever its energy.
 
-use super::{Directions, Invariant, Law, Leaf, Maps, Scratch};
+use super::{Directions, EnergyError, Invariant, Law, Leaf, Maps, Scratch};
 use crate::expression::{Function, Node, Tape};
 use crate::tensor::{Mat3, Vec3};
 
@@ -121,4 +121,32 @@ fn a_particles_stress_has_the_same_bits_wherever_it_stands() {
         law.stress(given, Directions::Uniform(&directions), &mut out, &mut Scratch::default());
         assert_eq!(out[count - 1], alone);
     }
+}
+
+#[test]
+fn inadmissible_states_give_what_is_no_number_and_never_panic() {
+    let law = Law::compile(&everything(), &[]).unwrap();
+    let (f, directions) = state();
+    let mirror = Mat3::from_diagonal(&Vec3::new(-1.0, 1.0, 1.0));
+    for bad in [f * mirror, Mat3::zeros(), Mat3::repeat(f64::NAN), f * f64::INFINITY, f * 1e-120] {
+        let p = stress(&law, &bad, &directions);
+        assert!(!p.iter().all(|value| value.is_finite()), "{bad} gives {p}");
+        assert!(!density(&law, &bad, &directions).is_finite());
+        assert!(law.wave_speeds(&bad, &directions, 1.0).is_err());
+        let mut speed = [0.0];
+        let maps = Maps { f: &[bad], h: None, j: None };
+        let mut scratch = Scratch::default();
+        law.wave_speed_block(maps, Directions::Uniform(&directions), 1.0, &mut speed, &mut scratch);
+        assert!(speed[0].is_nan());
+    }
+}
+
+#[test]
+fn a_law_that_is_not_complete_is_refused() {
+    let refused = |leaf| Law::compile(&Tape::leaf(leaf), &[1.0]).map(|_| ());
+    assert_eq!(Law::compile(&Tape::new(), &[]).map(|_| ()), Err(EnergyError::Empty));
+    let missing = EnergyError::MissingParameter { index: 1, supplied: 1 };
+    assert_eq!(refused(Leaf::Parameter(1)), Err(missing));
+    let absent = EnergyError::NoSuchStretch { index: 3 };
+    assert_eq!(refused(Leaf::Invariant(Invariant::Stretch(3))), Err(absent));
 }

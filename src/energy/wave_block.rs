@@ -4,7 +4,8 @@
 //! travel, and a few turns of the climb of [`super::wave`] from the best of them, every eigenvector
 //! by repeated squaring. No branch depends on a particle, so neighbours do not matter.
 
-use super::kinematics::{Block, Tensor, Vector, ZERO};
+use super::kinematics::Block;
+use super::lanes::{Tensor, Vector, ZERO};
 use super::law::{Directions, Law, Maps, Scratch};
 use super::program::{LANES, Row};
 use super::tangent_block::{Symmetric, Tangents, add, ordered, place};

@@ -93,7 +93,7 @@ pub fn reciprocal_cbrt(x: f64) -> f64 {
         y += y * (error * (1.0 / 3.0 + error * (2.0 / 9.0)));
     }
     let result = y * power_of_two(ROUNDER - q);
-    if x >= f64::MIN_POSITIVE && x <= f64::MAX { result } else { f64::NAN }
+    if (f64::MIN_POSITIVE..=f64::MAX).contains(&x) { result } else { f64::NAN }
 }
 
 #[cfg(test)]

@@ -107,7 +107,7 @@ pub fn baker_ericksen(subject: &Subject, low: f64, high: f64, count: usize) -> O
                 let sigma = p * f.transpose() / f.determinant();
                 let ratio = (sigma[(0, 0)] - sigma[(1, 1)]) / (stretches[0] - stretches[1]);
                 // a NaN counts as a failure
-                if !(ratio >= worst.smallest) {
+                if ratio.is_nan() || ratio < worst.smallest {
                     worst = BakerEricksen { smallest: ratio, stretches };
                 }
             }
@@ -132,7 +132,7 @@ pub fn smallest_volumetric_stiffness(subject: &Subject, low: f64, high: f64, cou
         let curvature: f64 = (0..9).map(|k| tangent[(4 * (k / 3), 4 * (k % 3))]).sum();
         let by_j = 1.0 / (3.0 * lambda * lambda);
         let stiffness = curvature * by_j * by_j - slope * 2.0 / (9.0 * libm::pow(lambda, 5.0));
-        if !(stiffness >= worst.0) {
+        if stiffness.is_nan() || stiffness < worst.0 {
             worst = (stiffness, j);
         }
     }
