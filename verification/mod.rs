@@ -12,6 +12,7 @@ mod consistency;
 mod discretisation;
 mod drive;
 mod energies;
+mod scene;
 
 /// The claims that together take seconds; `cargo test` holds every one of them.
 pub fn quick() -> Vec<Claim> {

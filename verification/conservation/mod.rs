@@ -2,5 +2,7 @@
 
 use super::Claim;
 
+mod momentum;
+
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] = &[];
+pub(crate) const CLAIMS: &[Claim] = &[momentum::FREE_BODY, momentum::FREE_BODY_HEUN];

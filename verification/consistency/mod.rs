@@ -2,5 +2,9 @@
 
 use super::Claim;
 
+mod gradient;
+mod traction;
+
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] = &[];
+pub(crate) const CLAIMS: &[Claim] =
+    &[gradient::VERLET, gradient::HEUN, gradient::TRANSLATION, gradient::ROTATION, traction::PATCH];

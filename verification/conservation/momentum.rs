@@ -1,0 +1,44 @@
+//! Linear momentum of a body that nothing holds.
+
+use crate::monitor::totals;
+use crate::verify::claims::scene::{scene, simulation, step, thrown_cube};
+use crate::verify::{Claim, Topic};
+
+/// Steps each measure takes.
+const STEPS: u64 = 200;
+
+/// The pair forces of (32) and (33) cancel bit by bit, so what is left is the rounding of the sums.
+pub(super) const FREE_BODY: Claim = Claim {
+    topic: Topic::Conservation,
+    claim: "the linear momentum of a free body stays what it was, by velocity Verlet",
+    source: "NB25 (32), (33): pair terms antisymmetric",
+    because: "pair forces cancel bit by bit, so what is left is the rounding of each particle's momentum in two \
+              kicks a step, 200 steps, errors adding up without cancelling: 400 * 1.1e-16",
+    bound: 4.4e-14,
+    measure: || drift(&thrown_cube("", "")),
+    control: || drift(&thrown_cube("", HELD)),
+};
+
+/// The same for the paper's integrator.
+pub(super) const FREE_BODY_HEUN: Claim = Claim {
+    topic: Topic::Conservation,
+    claim: "the linear momentum of a free body stays what it was, by two-stage Runge-Kutta",
+    source: "NB25 (32), (33), (39)-(41)",
+    because: "as for velocity Verlet, a kick in each of two stages and their average: 600 * 1.1e-16",
+    bound: 6.6e-14,
+    measure: || drift(&thrown_cube("integrator = tvd_rk2", "")),
+    control: || drift(&thrown_cube("integrator = tvd_rk2", HELD)),
+};
+
+/// The wrong variant: a support that takes up momentum.
+const HELD: &str = "hold cube.xmin";
+
+/// Change of the total momentum over `Σ V |p|`.
+fn drift(text: &str) -> f64 {
+    let scene = scene(text);
+    let mut simulation = simulation(&scene);
+    let before = totals(simulation.bodies(), &scene.symmetry);
+    step(&mut simulation, &scene, STEPS);
+    let after = totals(simulation.bodies(), &scene.symmetry);
+    (after.momentum - before.momentum).norm() / before.momentum_scale
+}

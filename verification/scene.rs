@@ -1,0 +1,56 @@
+//! Scenes written as text for claims about the solver.
+//!
+//! Owns the way from text to a running simulation; a scene that does not resolve is a fault of the
+//! claim, so it panics with the mistakes.
+
+use crate::plan::Plan;
+use crate::scene::{Memory, Scene, resolve};
+use crate::solver::Simulation;
+use crate::syntax::Source;
+
+/// The only scene of a text.
+pub(super) fn scene(text: &str) -> Scene {
+    let source = Source { name: "claim.tissue".into(), text: text.into() };
+    let (document, mistakes) = resolve(&source, &Memory::default(), &[]);
+    let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
+    assert!(mistakes.is_empty(), "{told}");
+    document.scenes.into_iter().next().expect("the text has a scene")
+}
+
+/// A simulation of a scene at time zero.
+pub(super) fn simulation(scene: &Scene) -> Simulation {
+    Simulation::new(scene, &Plan::new(scene)).expect("the scene of a claim can be set up")
+}
+
+/// Takes `steps` steps towards the end of a scene.
+pub(super) fn step(simulation: &mut Simulation, scene: &Scene, steps: u64) {
+    let end = simulation.steps() + steps;
+    while simulation.steps() < end {
+        let reached = simulation.step_towards(scene.run.until).expect("the scene of a claim runs");
+        assert!(!reached || simulation.steps() >= end, "the scene of a claim is long enough");
+    }
+}
+
+/// A free fibrous cube, its nodes displaced by a fifth of the spacing, thrown, spun and stretched.
+///
+/// `{run}` stands for further choices of its run block, `{more}` for further blocks.
+pub(super) fn thrown_cube(run: &str, more: &str) -> String {
+    format!(
+        "tissue 1
+import std.energies {{ goh, vol_quadratic }}
+material gel {{
+  energy  = goh(C = 10 kPa, k1 = 50 kPa, k2 = 2, kappa = 0.1) + vol_quadratic(K = 200 kPa)
+  density = 1000 kg/m^3
+  fibre a = unit([1, 2, 0.5])
+}}
+scene thrown {{
+  body cube {{ shape = box(6 mm, 6 mm, 6 mm)  spacing = 1 mm  jitter = 0.2  material = gel }}
+  start cube {{
+    velocity = [1 m/s + 100 s^-1 * X - 200 s^-1 * Y, 200 s^-1 * X - 60 s^-1 * Z, 0.3 m/s + 80 s^-1 * Y - 50 s^-1 * Z]
+  }}
+  {more}
+  run {{ until = 1 s  {run} }}
+}}
+"
+    )
+}
