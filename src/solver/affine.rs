@@ -35,7 +35,7 @@ impl AffineMotion {
     /// `bounds` are the least and greatest reference coordinates of the body's particles.
     pub fn new(supports: &[Support], bounds: (Vec3, Vec3)) -> Self {
         let find = |names: [String; 2], component: usize| {
-            supports.iter().position(|s| s.axis == component && names.iter().any(|name| *name == s.face))
+            supports.iter().position(|s| s.axis == component && names.contains(&s.face))
         };
         let mut terms = Vec::new();
         for axis in 0..3 {

@@ -11,6 +11,7 @@ use super::force::Packet;
 use super::links::Links;
 use super::loads::{ExternalForces, evaluate};
 use super::quad::{Columns, Quad};
+use super::time_step::elastic_length;
 use crate::discretisation::{Particles, Stencils};
 use crate::energy::Law;
 use crate::plan::{Field, Pass, Plan};
@@ -56,6 +57,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     let saves = scene.run.integrator == Integrator::TvdRk2;
     let has_external = plan.carries(Field::ExternalForce);
     let velocity = initial_velocity(scene, index, &particles, &mut scratch);
+    let launch_speed = libm::sqrt(velocity.iter().map(|v| v.dot(*v)).fold(0.0, f64::max));
     let mut state = BodyState {
         name: body.name.clone(),
         inverse_volume: particles.volume.iter().map(|volume| 1.0 / volume).collect(),
@@ -72,6 +74,9 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         acceleration: vec![Quad::ZERO; count],
         external: if has_external { vec![Quad::ZERO; count] } else { Vec::new() },
         supports,
+        elastic_length: elastic_length(&stencils, &particles.volume, particles.spacing),
+        dissipation_rate: 0.0,
+        launch_speed,
         rest: Speeds { pressure: rest.pressure, shear: rest.shear },
         fastest: (rest.pressure, 0),
         particles,

@@ -146,6 +146,12 @@ pub struct BodyState {
     pub supports: Vec<Support>,
     /// Wave speeds at rest.
     pub rest: Speeds,
+    /// Length an elastic wave may travel in a step, m.
+    pub elastic_length: f64,
+    /// Fastest rate of the dissipation, 1/s.
+    pub dissipation_rate: f64,
+    /// Greatest initial speed, m/s.
+    pub launch_speed: f64,
     /// Greatest wave speed now and its particle, m/s.
     pub fastest: (f64, usize),
 }

@@ -11,7 +11,7 @@ use crate::tensor::{cofactor, volume_map};
 ///
 /// Tested in the order of how certain each is: a drifted volume map can be measured, a Courant
 /// number is known, a load faster than sound can be measured, an overflow shows in the stretch.
-pub fn cause(body: &BodyState, particle: usize, run: &Run, _step: f64) -> Cause {
+pub fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
     let f = body.f(particle);
     let det = volume_map(f, &cofactor(f));
     if run.volume_dissipation
@@ -29,8 +29,8 @@ pub fn cause(body: &BodyState, particle: usize, run: &Run, _step: f64) -> Cause 
     if run.cfl > limit {
         return Cause::CourantNumber(run.cfl);
     }
-    let fastest = body.v.iter().map(|v| v.dot(*v)).fold(0.0_f64, f64::max);
-    let mach = libm::sqrt(fastest) / body.rest.pressure;
+    let driven = body.supports.iter().map(|support| support.velocity(0, step).abs());
+    let mach = driven.fold(body.launch_speed, f64::max) / body.rest.pressure;
     if mach > LOUD {
         return Cause::LoadTooFast(mach);
     }

@@ -16,6 +16,7 @@ mod loads;
 mod pass;
 mod quad;
 mod simulation;
+pub mod time_step;
 
 pub use assemble::{compile, discretise};
 pub use body::{Block, BodyState, CHUNK, DirectionField};

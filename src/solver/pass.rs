@@ -104,6 +104,15 @@ fn velocity_gradients(
     velocity_gradients_of_chunk(links, velocity, inverse_volume, start, packets);
 }
 
+/// Velocity gradients of all particles of a body, into its packets.
+pub fn velocity_gradients_of_body(body: &mut BodyState) {
+    let BodyState { links, v, inverse_volume, packets, .. } = body;
+    let (links, v, inverse_volume) = (&*links, &v[..], &inverse_volume[..]);
+    packets.par_chunks_mut(CHUNK).enumerate().for_each(|(index, packets)| {
+        velocity_gradients(links, v, inverse_volume, index * CHUNK, packets);
+    });
+}
+
 /// Advances the maps of a chunk with the velocity gradient of the middle of the step.
 ///
 /// With `ΔF = Δt Grad v` the area map moves by `(F + ½ ΔF) ⨯ ΔF`, exactly the change of `cof F`;
@@ -262,22 +271,21 @@ pub fn wave_speeds(body: &mut BodyState, workspaces: &Workspaces) {
         law.wave_speed_block(block.maps(), at, *density, speeds, energy);
         block.fastest = (0.0, block.start);
         for (i, &speed) in speeds.iter().enumerate() {
-            // a comparison that a NaN wins, so that it is found out instead of dropped
-            if !(speed <= block.fastest.0) {
+            if faster(speed, block.fastest.0) {
                 block.fastest = (speed, block.start + i);
-                if speed.is_nan() {
-                    break;
-                }
             }
         }
     });
     body.fastest = (0.0, 0);
     for block in &body.blocks {
-        if !(block.fastest.0 <= body.fastest.0) {
+        if faster(block.fastest.0, body.fastest.0) {
             body.fastest = block.fastest;
-            if block.fastest.0.is_nan() {
-                break;
-            }
         }
     }
+}
+
+/// Whether a speed replaces the fastest so far; one that is not a number does, and stays, so that
+/// it is found out instead of dropped.
+fn faster(speed: f64, fastest: f64) -> bool {
+    !fastest.is_nan() && (speed.is_nan() || speed > fastest)
 }

@@ -12,6 +12,7 @@ use super::error::SolveError;
 use super::loads::ExternalForces;
 use super::pass::{ForceTerms, Workspaces, advance_maps, forces, maps_and_stress, wave_speeds};
 use super::quad::Quad;
+use super::time_step::{dissipation_rate, stable_step};
 use crate::plan::{Pass, Plan, damping_rate};
 use crate::scene::{Integrator, InterfaceStates, Run, Scene};
 use rayon::prelude::*;
@@ -64,6 +65,13 @@ impl Simulation {
             simulation.bodies.push(state);
             simulation.affine.push(affine);
             simulation.external.push(external);
+        }
+        for index in 0..simulation.bodies.len() {
+            let terms = simulation.force_terms(index);
+            let rate = dissipation_rate(&mut simulation.bodies[index], terms);
+            // D(J) relaxes J at the same rate as D(p) relaxes p: both go with c_p over the spacing
+            let share = if terms.volume.is_some() { 2.0 } else { 1.0 };
+            simulation.bodies[index].dissipation_rate = share * rate;
         }
         simulation.refresh_stable_step()?;
         simulation.prepare_supports(simulation.stable_step);
@@ -285,14 +293,8 @@ impl Simulation {
         }
     }
 
-    /// Refreshes the step of the Courant condition.
-    ///
-    /// ```text
-    /// Δt = α_CFL h_min / c_p,max                       [NB25 (42)]
-    /// ```
-    ///
-    /// with the node spacing for `h_min` and, unless the scene asks for the speed at rest, the
-    /// greatest wave speed of the acoustic tensors of the current state.
+    /// Refreshes the step of the Courant condition, see [`stable_step`]; the wave speed is the
+    /// greatest of the acoustic tensors of the current state, or the speed at rest if the scene says so.
     fn refresh_stable_step(&mut self) -> Result<(), SolveError> {
         let mut stable = f64::INFINITY;
         for body in &mut self.bodies {
@@ -300,7 +302,8 @@ impl Simulation {
                 wave_speeds(body, &self.workspaces);
             }
             let (speed, particle) = body.fastest;
-            let required = self.run.cfl * body.particles.spacing / speed;
+            let rate = body.dissipation_rate + self.damping;
+            let required = stable_step(self.run.cfl, body.elastic_length, speed, rate);
             let allowed = SMALLEST_STEP * self.run.until;
             if required.is_nan() || required < allowed {
                 let position = body.particles.position[particle];
