@@ -96,17 +96,22 @@ impl Plan {
         decide::plan(scene)
     }
 
-    /// The same plan with every field and pass live that the scene's formulation defines, for the
-    /// test that pruning changes no number.
+    /// The same plan with everything live that was dropped for being zero or never read, for the
+    /// test that dropping it changed no number.
+    ///
+    /// What the formulation leaves out (H, J) stays out: deriving a map and evolving it are two
+    /// discretisations, and which one is a choice of the scene.
     pub fn unpruned(scene: &Scene) -> Self {
         let mut plan = Self::new(scene);
         for decision in &mut plan.fields {
-            decision.live |= decision.what != Field::FibreDirectionField;
+            let zero_or_unread = matches!(
+                decision.what,
+                Field::FibreDirection | Field::FibreDirectionField | Field::ExternalForce
+            );
+            decision.live |= zero_or_unread;
         }
         for decision in &mut plan.passes {
-            let optional =
-                matches!(decision.what, Pass::ExternalForce | Pass::AreaMapRate | Pass::PrescribedMotion);
-            decision.live |= optional;
+            decision.live |= matches!(decision.what, Pass::ExternalForce | Pass::PrescribedMotion);
         }
         plan
     }

@@ -194,10 +194,9 @@ impl<'a> Recording<'a> {
     }
 
     fn sample(&mut self, simulation: &Simulation, observer: &Observer, time: f64) -> Result<(), RunError> {
-        if self.schedule.next() != Some(time) {
+        if !self.schedule.take(time) {
             return Ok(());
         }
-        self.schedule.advance();
         let tapes = self.record.columns.iter().map(|column| &column.value);
         let mut row = vec![time];
         row.extend(observer.evaluate(simulation, tapes));
@@ -231,10 +230,9 @@ impl<'a> Filming<'a> {
     }
 
     fn sample(&mut self, simulation: &Simulation, time: f64) -> Result<(), RunError> {
-        if self.schedule.next() != Some(time) {
+        if !self.schedule.take(time) {
             return Ok(());
         }
-        self.schedule.advance();
         let Some(folder) = self.folder else { return Ok(()) };
         let write = |name: &str, text: String| {
             let path = folder.join(name);

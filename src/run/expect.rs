@@ -41,7 +41,10 @@ pub fn judge(expectation: &Expectation, tables: &[Table]) -> ExpectationVerdict 
             for place in places {
                 match measure(left, *relation, right, *tolerance, place.as_ref(), tables) {
                     Ok(measured) => {
-                        if worst.as_ref().is_none_or(|w| !(measured.excess <= w.excess)) {
+                        if worst
+                            .as_ref()
+                            .is_none_or(|w| measured.excess.is_nan() || measured.excess > w.excess)
+                        {
                             worst = Some(measured);
                         }
                     }
