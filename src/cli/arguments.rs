@@ -29,6 +29,8 @@ pub enum Command {
     Verify(VerifyOptions),
     /// Explain a word of the language
     Explain(ExplainOptions),
+    /// Lay out files in the standard form
+    Fmt(FmtOptions),
 }
 
 /// Options of `check`.
@@ -106,6 +108,17 @@ pub struct ExplainOptions {
     /// The word
     #[arg(value_name = "WORD")]
     pub word: String,
+}
+
+/// Options of `fmt`.
+#[derive(Debug, Args)]
+pub struct FmtOptions {
+    /// The files, rewritten in place
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Change nothing; exit with 1 if a file is not in the standard form
+    #[arg(long)]
+    pub check: bool,
 }
 
 /// Splits `path=value`.

@@ -7,6 +7,7 @@ mod arguments;
 mod check;
 mod drive;
 mod explain;
+mod format;
 mod input;
 mod plan;
 mod progress;
@@ -49,6 +50,7 @@ pub fn main() -> ExitCode {
         Command::Run(options) => run::run(&options),
         Command::Verify(options) => verify::verify(&options),
         Command::Explain(options) => explain::explain(&options),
+        Command::Fmt(options) => format::format(&options),
     };
     exit.into()
 }
