@@ -1,0 +1,254 @@
+//! The tool as its users meet it: words, exit codes, files.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A folder of this test's own, emptied.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("command_line").join(name);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("the folder for tests can be written");
+    path
+}
+
+fn tissue(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tissue"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(arguments)
+        .output()
+        .expect("the tool starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn path(path: &Path) -> &str {
+    path.to_str().expect("a path of the test is text")
+}
+
+const STRIP: &str = "tests/scenes/strip.tissue";
+
+/// Every file of a folder by name, the timings of `run.json` taken out.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).expect("the run wrote its folder");
+    let mut files = BTreeMap::new();
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let mut bytes = fs::read(entry.path()).expect("a file of the run is readable");
+        if name == "run.json" {
+            let timing =
+                |line: &str| line.contains("\"wall_seconds\"") || line.contains("\"updates_per_second\"");
+            let kept: Vec<String> =
+                text(&bytes).lines().filter(|line| !timing(line)).map(String::from).collect();
+            bytes = kept.join("\n").into_bytes();
+        }
+        files.insert(name, bytes);
+    }
+    files
+}
+
+#[test]
+fn one_thread_and_two_write_the_same_bytes() {
+    let home = folder("threads");
+    let (one, two) = (home.join("one"), home.join("two"));
+    for (threads, out) in [("1", &one), ("2", &two)] {
+        let output = tissue(&["run", STRIP, "--out", path(out), "--threads", threads, "--quiet"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(output.stdout.is_empty() && output.stderr.is_empty(), "quiet means quiet");
+    }
+    let (one, two) = (contents(&one), contents(&two));
+    let names: Vec<&String> = one.keys().collect();
+    let expected = [
+        "energy.csv",
+        "fields.pvd",
+        "fields_0000.vtu",
+        "fields_0001.vtu",
+        "fields_0002.vtu",
+        "force.svg",
+        "pull.csv",
+        "run.json",
+    ];
+    assert_eq!(names, expected);
+    assert!(one == two, "the number of threads changed a byte");
+}
+
+#[test]
+fn a_record_is_a_table_named_after_it_with_its_columns_and_units() {
+    let out = folder("table").join("run");
+    assert_eq!(tissue(&["run", STRIP, "--out", path(&out), "--quiet"]).status.code(), Some(0));
+    let table = fs::read_to_string(out.join("pull.csv")).expect("the record is written");
+    let (head, rows): (Vec<&str>, Vec<&str>) = table.lines().partition(|line| line.starts_with('#'));
+    assert_eq!(rows[0], "t,d,F");
+    assert_eq!(rows.len(), 1 + 11);
+    assert!(
+        head.iter().any(|line| line.contains("d [m]")) && head.iter().any(|line| line.contains("F [N]")),
+        "{head:?}"
+    );
+    assert!(head.iter().any(|line| line.contains(STRIP)), "the input is named");
+    let last: Vec<f64> = rows[11].split(',').map(|cell| cell.parse().expect("a number")).collect();
+    // the ends have moved 0.2 mm each in 0.2 ms; the displacement is met to round-off
+    assert_eq!(last[0], 2e-4);
+    assert!((last[1] - 4e-4).abs() <= 1e-15 && last[2] > 0.0, "{last:?}");
+}
+
+#[test]
+fn frames_hold_the_fields_asked_for_and_are_read_by_another_implementation() {
+    let out = folder("frames").join("run");
+    assert_eq!(tissue(&["run", STRIP, "--out", path(&out), "--quiet"]).status.code(), Some(0));
+    let vtk = vtkio::Vtk::import(out.join("fields_0002.vtu")).expect("vtkio reads the frame");
+    let vtkio::model::DataSet::UnstructuredGrid { pieces, .. } = vtk.data else {
+        panic!("an unstructured grid")
+    };
+    let [vtkio::model::Piece::Inline(piece)] = pieces.as_slice() else { panic!("one piece") };
+    let points = 13 * 7 * 3;
+    assert_eq!(piece.num_points(), points);
+    let mut found = BTreeMap::new();
+    for attribute in &piece.data.point {
+        if let vtkio::model::Attribute::DataArray(array) = attribute {
+            let components = array.num_comp();
+            assert_eq!(array.len(), points * components, "{}", array.name);
+            found.insert(array.name.clone(), components);
+        }
+    }
+    for field in ["displacement", "velocity", "sigma", "von_mises", "pressure", "J"] {
+        assert!(found.contains_key(field), "{field} is missing among {:?}", found.keys());
+    }
+    assert_eq!((found["displacement"], found["sigma"], found["J"]), (3, 6, 1));
+}
+
+#[test]
+fn run_json_says_what_was_run_and_what_became_of_it() {
+    let out = folder("report").join("run");
+    assert_eq!(tissue(&["run", STRIP, "--out", path(&out), "--quiet"]).status.code(), Some(0));
+    let text = fs::read_to_string(out.join("run.json")).expect("the report is written");
+    let report: serde_json::Value = serde_json::from_str(&text).expect("the report is JSON");
+    for key in [
+        "version",
+        "hash",
+        "plan",
+        "choices",
+        "particles",
+        "steps",
+        "wall_seconds",
+        "updates_per_second",
+        "totals",
+    ] {
+        assert!(report.get(key).is_some(), "{key}");
+    }
+    assert_eq!(report["particles"], 13 * 7 * 3);
+    assert_eq!(report["expectations"].as_array().map(Vec::len), Some(2));
+    assert!(report["expectations"][0]["holds"].as_bool().expect("a verdict"));
+}
+
+#[test]
+fn results_are_replaced_only_on_request() {
+    let out = folder("overwrite").join("run");
+    let run = |more: &[&str]| tissue(&[&["run", STRIP, "--out", path(&out), "--quiet"], more].concat());
+    assert_eq!(run(&[]).status.code(), Some(0));
+    let before = contents(&out);
+    let refused = run(&["--set", "run.cfl=0.7"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--overwrite"), "{}", text(&refused.stderr));
+    assert!(contents(&out) == before, "a refused run changed a file");
+    assert_eq!(run(&["--set", "run.cfl=0.7", "--overwrite"]).status.code(), Some(0));
+    assert!(contents(&out) != before);
+}
+
+#[test]
+fn a_folder_that_holds_something_else_is_never_emptied() {
+    let out = folder("foreign");
+    fs::write(out.join("thesis.csv"), "years of work").expect("the folder can be written");
+    let output = tissue(&["run", STRIP, "--out", path(&out), "--quiet", "--overwrite"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(fs::read_to_string(out.join("thesis.csv")).expect("still there"), "years of work");
+}
+
+#[test]
+fn a_run_that_goes_wrong_names_particle_place_time_and_cause_and_keeps_what_it_had() {
+    let out = folder("blow_up").join("run");
+    let output = tissue(&["run", STRIP, "--out", path(&out), "--quiet", "--set", "run.cfl=2.5"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    for part in ["particle ", "of `strip`", "X = (", "t = ", "likely cause", "Courant number 2.5", "cfl"] {
+        assert!(message.contains(part), "`{part}` is missing in: {message}");
+    }
+    let files = contents(&out);
+    assert!(files.contains_key("fields_0000.vtu") && files.contains_key("pull.csv"));
+    assert!(!text(&files["pull.csv"]).to_lowercase().contains("nan"));
+    assert!(text(&files["run.json"]).contains("\"outcome\": \"stopped\""));
+}
+
+#[test]
+fn an_expectation_that_fails_ends_with_1_and_is_named() {
+    let home = folder("expectation");
+    let spec = fs::read_to_string(STRIP).expect("the scene is there").replace("< 1e-12", "< 1e-30");
+    let file = home.join("strict.tissue");
+    fs::write(&file, spec).expect("the folder can be written");
+    let output = tissue(&["run", path(&file), "--out", path(&home.join("run"))]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stdout).contains("FAILS  expect max(energy.gap) < 1e-30"),
+        "{}",
+        text(&output.stdout)
+    );
+}
+
+#[test]
+fn a_wrong_file_ends_with_2_and_the_place() {
+    let home = folder("wrong_file");
+    let spec = fs::read_to_string(STRIP).expect("the scene is there").replace("C = 7.64 kPa", "C = 7.64 mm");
+    let file = home.join("wrong.tissue");
+    fs::write(&file, spec).expect("the folder can be written");
+    for command in ["check", "plan", "run"] {
+        let output = tissue(&[command, path(&file)]);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        assert!(text(&output.stderr).contains("wrong.tissue:6:"), "{}", text(&output.stderr));
+    }
+    assert_eq!(tissue(&["check", STRIP]).status.code(), Some(0));
+    assert_eq!(tissue(&["check", "no/such/file.tissue"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_wrong_command_line_ends_with_2() {
+    let cases: &[&[&str]] = &[
+        &[],
+        &["runn", STRIP],
+        &["run"],
+        &["run", STRIP, "--threads", "0"],
+        &["run", STRIP, "--set", "run.cfl"],
+        &["run", STRIP, "--set", "run.cfll=0.3"],
+        &["run", STRIP, "--scene", "strap"],
+        &["verify", "energise"],
+        &["explain", "notaword"],
+    ];
+    for case in cases {
+        let output = tissue(case);
+        assert_eq!(output.status.code(), Some(2), "{case:?}");
+        assert!(!output.stderr.is_empty(), "{case:?} says nothing");
+    }
+}
+
+#[test]
+fn check_as_json_carries_every_mistake_with_its_place() {
+    let output = tissue(&["check", "--json", "tests/language/pressure_in_millimetres.tissue", STRIP]);
+    assert_eq!(output.status.code(), Some(2));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON on standard output");
+    assert_eq!(report[0]["mistakes"].as_array().map(|list| list.is_empty()), Some(false));
+    assert_eq!(report[1]["mistakes"].as_array().map(Vec::len), Some(0));
+}
+
+#[test]
+fn verify_prints_claims_with_bound_and_control_and_writes_them() {
+    let json = folder("verify").join("claims.json");
+    let output = tissue(&["verify", "conservation", "--json", path(&json)]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
+    assert!(text(&output.stdout).contains("control"));
+    let report: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&json).expect("the report is written")).expect("JSON");
+    for key in ["topic", "claim", "source", "because", "measured", "bound", "control", "holds"] {
+        assert!(report["claims"][0].get(key).is_some(), "{key}");
+    }
+}

@@ -1,0 +1,87 @@
+//! The plan of every specification, and the promise that what it drops changes no number.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use tissue::plan::Plan;
+use tissue::scene::{FileSystem, Scene, resolve};
+use tissue::solver::{BodyState, Simulation};
+use tissue::syntax::Source;
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "tissue") {
+            found.push(path);
+        }
+    }
+}
+
+/// Every scene of `specs/` and `tests/scenes/`, with the name of its file.
+fn scenes() -> Vec<(String, Scene)> {
+    let mut found = Vec::new();
+    files(Path::new("specs"), &mut found);
+    files(Path::new("tests/scenes"), &mut found);
+    let mut scenes = Vec::new();
+    for path in found {
+        let name = path.to_string_lossy().into_owned();
+        let text = fs::read_to_string(&path).expect("a specification is readable");
+        let (document, mistakes) = resolve(&Source { name: name.clone(), text }, &FileSystem, &[]);
+        let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
+        assert!(mistakes.is_empty(), "{told}");
+        scenes.extend(document.scenes.into_iter().map(|scene| (name.clone(), scene)));
+    }
+    scenes
+}
+
+#[test]
+fn every_specification_plans_as_recorded() {
+    let scenes = scenes();
+    assert!(scenes.len() >= 2, "the scenes are found");
+    for (file, scene) in scenes {
+        let name = format!("{}__{}", file.trim_end_matches(".tissue").replace(['/', '\\'], "__"), scene.name);
+        insta::assert_snapshot!(name, Plan::new(&scene).to_string());
+    }
+}
+
+/// Positions, velocities, maps and stresses of a body, entry by entry.
+fn entries(body: &BodyState) -> Vec<f64> {
+    let mut list = Vec::new();
+    for a in 0..body.len() {
+        list.extend(body.x[a].0);
+        list.extend(body.v[a].0);
+        list.extend(body.f(a).iter());
+        list.extend(body.stress(a).iter());
+    }
+    list
+}
+
+fn after_twenty_steps(scene: &Scene, plan: &Plan) -> Vec<f64> {
+    let mut simulation = Simulation::new(scene, plan).expect("a specification can be set up");
+    for _ in 0..20 {
+        simulation.step_towards(scene.run.until).expect("a specification runs");
+    }
+    simulation.bodies().iter().flat_map(entries).collect()
+}
+
+#[test]
+fn the_pruned_run_equals_the_unpruned_one_entry_by_entry() {
+    for (file, scene) in scenes() {
+        let pruned = after_twenty_steps(&scene, &Plan::new(&scene));
+        let whole = after_twenty_steps(&scene, &Plan::unpruned(&scene));
+        assert!(pruned == whole, "{file}, scene {}: what the plan drops changes a number", scene.name);
+        assert!(pruned.iter().any(|x| *x != 0.0));
+    }
+}
+
+#[test]
+fn dropping_what_is_read_would_be_noticed() {
+    for (_, mut scene) in scenes().into_iter().filter(|(file, _)| file.contains("tests/scenes")) {
+        let right = after_twenty_steps(&scene, &Plan::new(&scene));
+        scene.prescribed.clear();
+        assert!(after_twenty_steps(&scene, &Plan::new(&scene)) != right);
+    }
+}
