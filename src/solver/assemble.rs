@@ -43,7 +43,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     let links = Links::new(&particles, &stencils);
     let count = particles.position.len();
     let mut scratch = Vec::new();
-    let directions = directions(material, plan, &particles, &mut scratch);
+    let directions = directions(material, body, plan, &particles, &mut scratch)?;
     let rest = law
         .wave_speeds(&Mat3::identity(), directions.of(0), material.density)
         .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })?;
@@ -135,33 +135,47 @@ fn blocks(count: usize, plan: &Plan, saves: bool) -> Vec<Block> {
         .collect()
 }
 
+/// Directions of a material at the particles of a body.
 fn directions(
     material: &Material,
+    body: &Body,
     plan: &Plan,
     particles: &Particles,
     scratch: &mut Vec<f64>,
-) -> DirectionField {
+) -> Result<DirectionField, SolveError> {
     if !plan.carries(Field::FibreDirection) {
-        return DirectionField::Uniform(Vec::new());
+        return Ok(DirectionField::Uniform(Vec::new()));
     }
-    let mut at = |position: &Vec3| -> Vec<Vec3> {
-        let component = |tape, scratch: &mut Vec<f64>| evaluate(tape, position, 0.0, scratch);
-        material
-            .directions
-            .iter()
-            .map(|d| {
-                let [x, y, z] = &d.components;
-                Vec3::new(component(x, scratch), component(y, scratch), component(z, scratch))
-            })
-            .collect()
+    let mut at = |position: &Vec3, out: &mut Vec<Vec3>| {
+        for direction in &material.directions {
+            let [x, y, z] = direction.components.each_ref().map(|c| evaluate(c, position, 0.0, scratch));
+            let value = Vec3::new(x, y, z);
+            let length = value.norm();
+            if !length.is_finite() || (length - 1.0).abs() > UNIT_LENGTH {
+                return Err(SolveError::DirectionNotUnit {
+                    material: material.name.clone(),
+                    direction: direction.name.clone(),
+                    body: body.name.clone(),
+                    position: *position,
+                    length,
+                });
+            }
+            out.push(value);
+        }
+        Ok(())
     };
+    let mut values = Vec::new();
     if plan.carries(Field::FibreDirectionField) {
-        let values = particles.position.iter().flat_map(&mut at).collect();
-        DirectionField::Varying { count: material.directions.len(), values }
+        particles.position.iter().try_for_each(|position| at(position, &mut values))?;
+        Ok(DirectionField::Varying { count: material.directions.len(), values })
     } else {
-        DirectionField::Uniform(at(&Vec3::zeros()))
+        at(&Vec3::zeros(), &mut values)?;
+        Ok(DirectionField::Uniform(values))
     }
 }
+
+/// How far the length of a direction may be from 1: six digits, as a direction is typically written.
+const UNIT_LENGTH: f64 = 1e-6;
 
 fn supports(
     scene: &Scene,

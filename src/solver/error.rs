@@ -26,6 +26,19 @@ pub enum SolveError {
         /// What was wrong.
         cause: EnergyError,
     },
+    /// A direction that depends on place is not of unit length everywhere.
+    DirectionNotUnit {
+        /// Name of the material.
+        material: String,
+        /// Name of the direction.
+        direction: String,
+        /// Name of the body.
+        body: String,
+        /// Reference position of the first such particle, m.
+        position: Vec3,
+        /// Its length there; not finite where the formula has no value.
+        length: f64,
+    },
     /// The scene asks for something this solver does not do.
     Unsupported {
         /// What it is.
@@ -129,6 +142,18 @@ impl fmt::Display for SolveError {
         match self {
             Self::Discretisation { body, cause } => write!(f, "body `{body}`: {cause}"),
             Self::Energy { material, cause } => write!(f, "material `{material}`: {cause}"),
+            Self::DirectionNotUnit { material, direction, body, position: x, length } => {
+                write!(
+                    f,
+                    "the direction `{direction}` of `{material}` must be of length 1, but at X = ({:.4e}, {:.4e}, \
+                     {:.4e}) m in `{body}` ",
+                    x.x, x.y, x.z
+                )?;
+                match length.is_finite() {
+                    true => write!(f, "its length is {length:.6}; write `unit([x, y, z])`"),
+                    false => write!(f, "it has no value; give it one with `if(…, …, …)`"),
+                }
+            }
             Self::Unsupported { what, instead } => write!(f, "{what} is not available; {instead}"),
             Self::NonPositiveJacobian { particle, body, position: x, time, jacobian, cause } => write!(
                 f,

@@ -25,17 +25,24 @@ impl Unit {
 
     /// SI value of `value` units.
     ///
-    /// Rounded once for decimal units with powers of ten up to 22: such a power is exact in `f64`, and a
-    /// negative one divides.
+    /// For decimal units the result is what the number would be, written in SI: `0.03 ms` is `3e-5` to the
+    /// last bit. The point of the shortest decimal that reads as `value` is moved, which is the decimal
+    /// that was written wherever that had at most 15 digits.
     pub fn to_si(&self, value: f64) -> f64 {
-        let scaled = value * self.other;
-        if self.ten < 0 { scaled / ten_to(-self.ten) } else { scaled * ten_to(self.ten) }
+        move_point(value * self.other, self.ten)
     }
 }
 
-/// 10 to the power `n`, correctly rounded: the decimal reader of the standard library is exact.
-fn ten_to(n: i32) -> f64 {
-    format!("1e{n}").parse().unwrap_or(f64::INFINITY)
+/// `value · 10ⁿ`, rounded once from the shortest decimal that reads as `value`.
+fn move_point(value: f64, n: i32) -> f64 {
+    if n == 0 {
+        return value;
+    }
+    let shortest = format!("{value:e}");
+    let (digits, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));
+    let moved = exponent.parse::<i32>().unwrap_or(0).saturating_add(n);
+    // An infinity or NaN has no exponent and stays what it is.
+    format!("{digits}e{moved}").parse().unwrap_or(value)
 }
 
 /// Why a text is not a unit.

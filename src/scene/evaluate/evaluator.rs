@@ -70,7 +70,7 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
         let file = Rc::clone(scope.file());
         let expr = file.tree.expr(id);
         match &expr.kind {
-            ExprKind::Number { value, unit } => self.number(&file, *value, unit.as_ref()),
+            ExprKind::Number { value, unit } => self.number(scope, &expr.span, *value, unit.as_ref()),
             ExprKind::Name(text) => self.named(scope, &Name { text: text.clone(), span: expr.span.clone() }),
             ExprKind::Member { base, name } => self.member(scope, *base, name, &expr.span),
             ExprKind::Index { base, index } => self.indexed(scope, *base, *index),
@@ -98,7 +98,7 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
         }
     }
 
-    fn number(&mut self, file: &File, value: f64, unit: Option<&UnitText>) -> Outcome {
+    fn number(&mut self, scope: &dyn Scope<L>, span: &Span, value: f64, unit: Option<&UnitText>) -> Outcome {
         let Some(unit) = unit else {
             let node = self.graph.constant(value);
             return Ok(Value::scalar(node, Dimension::NUMBER));
@@ -109,17 +109,20 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
                 Ok(Value::scalar(node, known.dimension))
             }
             Err(error) => {
-                let (span, label, help) = match &error {
+                let file = Rc::clone(scope.file());
+                let (place, label, help) = match &error {
                     UnitError::Unknown { symbol, offset, suggestion } => (
                         unit.span.start + offset..unit.span.start + offset + symbol.len(),
                         "not a unit",
-                        suggestion.map(|meant| {
-                            format!("write `{}`", unit.text.replacen(symbol.as_str(), meant, 1))
+                        swallowed(scope, &file, span, unit, *offset, suggestion.is_some()).or_else(|| {
+                            suggestion.map(|meant| {
+                                format!("write `{}`", unit.text.replacen(symbol.as_str(), meant, 1))
+                            })
                         }),
                     ),
                     _ => (unit.span.clone(), "this unit", None),
                 };
-                Err(self.mistakes.report(file, Code::UnknownUnit, span, error.to_string(), label, help))
+                Err(self.mistakes.report(&file, Code::UnknownUnit, place, error.to_string(), label, help))
             }
         }
     }
@@ -249,4 +252,25 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
         let message = format!("`{}` takes {required} argument{plural}, but {found} are given", function.text);
         self.mistakes.report(&file, Code::WrongForm, function.span.clone(), message, "", None)
     }
+}
+
+/// How to write a product of a quantity and a name that was read as one unit: `100 s^-1*X`.
+fn swallowed<L: Leaves>(
+    scope: &dyn Scope<L>,
+    file: &File,
+    number: &Span,
+    unit: &UnitText,
+    offset: usize,
+    misspelt: bool,
+) -> Option<String> {
+    let (before, name) = (unit.text.get(..offset)?, unit.text.get(offset..)?);
+    let operator = before.chars().next_back().filter(|sign| "*·/".contains(*sign))?;
+    let end = name.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(name.len());
+    let declared = scope.names().iter().any(|known| known == &name[..end]);
+    if misspelt && !declared {
+        return None;
+    }
+    let quantity = file.text(&(number.start..unit.span.start + offset - operator.len_utf8()));
+    let sign = if operator == '/' { '/' } else { '*' };
+    Some(format!("a unit runs on to the next blank: write `{quantity} {sign} {name}`"))
 }
