@@ -5,6 +5,7 @@
 mod control;
 mod error;
 mod follow;
+mod solution;
 mod state;
 mod system;
 

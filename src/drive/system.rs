@@ -6,14 +6,15 @@ use nalgebra::{SMatrix, SVector};
 
 use super::control::{Control, Target};
 use super::error::Cause;
+use super::solution::Factors;
 use super::state::Unknowns;
 use crate::energy::{Directions, Kink, Law, Maps, Scratch, Tangent};
 use crate::tensor::{Mat3, Vec3, cofactor, contract, cross, volume_map};
 
 /// Nine components of F and one stress of the constraint; unused rows are those of the identity.
-const SIZE: usize = 10;
-type Matrix = SMatrix<f64, SIZE, SIZE>;
-type Column = SVector<f64, SIZE>;
+pub(super) const SIZE: usize = 10;
+pub(super) type Matrix = SMatrix<f64, SIZE, SIZE>;
+pub(super) type Column = SVector<f64, SIZE>;
 
 /// Row and column of the constraint `J = 1` and its stress.
 const CONSTRAINT: usize = 9;
@@ -110,7 +111,7 @@ impl System<'_> {
         let right = self.residual(&stresses, target, scale)
             + self.rates(before, &stresses, tangent, &change, target, scale);
         let matrix = self.jacobian(before, &stresses, tangent, target, scale);
-        let step = matrix.lu().solve(&right).ok_or(Cause::Singular)?;
+        let step = Factors::of(matrix).solve(&right).ok_or(Cause::Singular)?;
         let predicted = moved(&start, &step, -1.0, target, scale);
         // Where the tangent leads out of the law's domain only the prescribed part moves.
         let start = if self.admissible(&predicted).is_ok() { predicted } else { start };
@@ -126,9 +127,11 @@ impl System<'_> {
             let scale = tangent.amax();
             let mut right = self.residual(&stresses, target, scale);
             let size = right.amax();
-            let lu = self.jacobian(&state, &stresses, &tangent, target, scale).lu();
+            let factors = Factors::of(self.jacobian(&state, &stresses, &tangent, target, scale));
             if size > TOLERANCE {
-                let step = lu.solve(&right).ok_or(Cause::Singular)?;
+                let step = factors.solve(&right).ok_or(Cause::Singular)?;
+                let stalled =
+                    if factors.is_singular() { Cause::Singular } else { Cause::Stalled { residual: size } };
                 let better = (0..=MOST_HALVINGS).find_map(|halving| {
                     let part = 1.0 / f64::from(1_u32 << halving);
                     let trial = moved(&state, &step, -part, target, scale);
@@ -136,12 +139,12 @@ impl System<'_> {
                     let residual = self.residual(&stresses, target, scale);
                     (residual.amax() < size * (1.0 - 1e-4 * part)).then_some((trial, stresses, residual))
                 });
-                (state, stresses, right) = better.ok_or(Cause::Stalled { residual: size })?;
+                (state, stresses, right) = better.ok_or(stalled)?;
             }
             last = right.amax();
             // Solved: what is left falls to round-off along the tangent at hand.
             while last <= TOLERANCE {
-                let trial = lu.solve(&right).map(|step| moved(&state, &step, -1.0, target, scale));
+                let trial = factors.solve(&right).map(|step| moved(&state, &step, -1.0, target, scale));
                 let next = trial.and_then(|trial| {
                     let stresses = self.admissible(&trial).ok()?;
                     let residual = self.residual(&stresses, target, scale);

@@ -102,6 +102,32 @@ fn simple_shear_has_the_poynting_stress_in_any_plane() {
     assert!((points[6].cauchy[(0, 0)] / SHEAR - g * g).abs() > 0.1, "the axes of the frame matter");
 }
 
+// ψ = c (I1bar − 3)² + c (J − 1)²: no stiffness against shear at rest, σ11 = 4 c (I1 − 3) (λ² − 1/λ) away from it.
+#[test]
+fn a_law_without_stiffness_at_rest_leaves_it() {
+    let mut tape = Tape::new();
+    let i1_bar = tape.push(Node::Leaf(Leaf::Invariant(Invariant::I1Bar)));
+    let three = tape.push(Node::Constant(3.0));
+    let excess = tape.push(Node::Subtract(i1_bar, three));
+    let squared = tape.push(Node::Multiply(excess, excess));
+    let j = tape.push(Node::Leaf(Leaf::Invariant(Invariant::J)));
+    let one = tape.push(Node::Constant(1.0));
+    let dilation = tape.push(Node::Subtract(j, one));
+    let resisted = tape.push(Node::Multiply(dilation, dilation));
+    let sum = tape.push(Node::Add(squared, resisted));
+    let c = tape.push(Node::Constant(SHEAR));
+    tape.push(Node::Multiply(c, sum));
+    let law = Law::compile(&tape, &[]).expect("a law");
+    let stiffening = |l: f64| 4.0 * (l * l + 2.0 / l - 3.0) * (l * l - 1.0 / l);
+    let points = incompressible(&law).follow(Target::uniaxial, &steps(1.1, 2.0, 9)).expect("driven");
+    // Stresses reach 28 moduli, good to some ten round-offs.
+    assert!(worst(&points, |l| [(0, 0, stiffening(l)), (1, 1, 0.0), (2, 2, 0.0)]) < 1e-13);
+    assert!(worst(&points, |l| [(0, 0, 1.001 * stiffening(l)), (1, 1, 0.0), (2, 2, 0.0)]) > 1e-4);
+    for point in &points {
+        assert!((point.f[(1, 1)] - point.f[(2, 2)]).abs() < 1e-12, "it stays as round as it was: {point:?}");
+    }
+}
+
 #[test]
 fn a_nearly_incompressible_law_converges_to_the_incompressible_one() {
     // The difference falls in proportion to μ/k: by ten for ten times the bulk modulus.
