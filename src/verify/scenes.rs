@@ -1,14 +1,15 @@
-//! The expect lines of the benchmark scenes as verdicts.
+//! The expect lines of the benchmark scenes and of the library's drives as verdicts.
 //!
-//! Owns the running of embedded scenes in memory: what `tissue verify benchmarks` holds is what
+//! Owns the running of embedded files in memory: what `tissue verify benchmarks` holds is what
 //! `tissue run` judges in the same file.
 
 use super::claim::{Topic, Verdict};
 use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
-use crate::output::Provenance;
+use crate::output::report::ExpectationVerdict;
+use crate::output::{Provenance, Table};
 use crate::plan::Plan;
-use crate::run::{Job, control, execute};
-use crate::scene::{LoadError, Loader, Scene, resolve};
+use crate::run::{DriveJob, Job, control, drive, execute};
+use crate::scene::{Document, Drive, Expectation, LoadError, Loader, Scene, library, resolve};
 use crate::syntax::Source;
 
 /// Files compiled into the program, by their path in the project.
@@ -27,22 +28,36 @@ impl Loader for Embedded {
 /// The rendered mistakes if the file does not resolve.
 pub fn benchmark(path: &str, overrides: &[(String, String)]) -> Result<Vec<Scene>, String> {
     let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
+    document(path, text, overrides).map(|document| document.scenes)
+}
+
+fn document(path: &str, text: String, overrides: &[(String, String)]) -> Result<Document, String> {
     let (document, mistakes) = resolve(&Source { name: path.into(), text }, &Embedded, overrides);
     if mistakes.is_empty() {
-        return Ok(document.scenes);
+        return Ok(document);
     }
     Err(mistakes.iter().map(|mistake| mistake.render()).collect::<Vec<_>>().join("\n"))
 }
 
-/// Runs every benchmark scene and judges its expect lines.
+/// Runs every benchmark scene and every drive of the library, and judges their expect lines.
 ///
 /// # Errors
-/// If a scene does not resolve or cannot be set up. A run that stops early is a verdict that fails.
+/// If a file does not resolve or cannot be set up. A run that stops early is a verdict that fails.
 pub fn scene_verdicts() -> Result<Vec<Verdict>, String> {
     let mut verdicts = Vec::new();
-    for BenchmarkFile { path, .. } in SCENES {
-        for scene in benchmark(path, &[])? {
-            verdicts.extend(verdicts_of(path, &scene)?);
+    for BenchmarkFile { path, text } in SCENES {
+        let document = document(path, (*text).into(), &[])?;
+        for drive in &document.drives {
+            verdicts.extend(verdicts_of_drive(path, drive)?);
+        }
+        for scene in &document.scenes {
+            verdicts.extend(verdicts_of(path, scene)?);
+        }
+    }
+    for file in library() {
+        let path = format!("specs/{}/{}.tissue", file.library, file.name);
+        for drive in &document(&path, file.text.into(), &[])?.drives {
+            verdicts.extend(verdicts_of_drive(&path, drive)?);
         }
     }
     Ok(verdicts)
@@ -53,18 +68,37 @@ fn verdicts_of(path: &str, scene: &Scene) -> Result<Vec<Verdict>, String> {
     let provenance = Provenance::new(path, "", &scene.name);
     let job = Job { scene, plan: &plan, provenance, folder: None };
     let outcome = execute(&job, &mut ()).map_err(|cause| format!("{path}: {cause}"))?;
-    let judged = scene.expectations.iter().zip(&outcome.report.expectations);
-    Ok(judged
+    let (report, stopped) = (&outcome.report, outcome.failure.is_some());
+    Ok(judged(&scene.name, &scene.expectations, &report.expectations, &outcome.tables, stopped))
+}
+
+fn verdicts_of_drive(path: &str, described: &Drive) -> Result<Vec<Verdict>, String> {
+    let provenance = Provenance::new(path, "", &described.name);
+    let job = DriveJob { drive: described, provenance, folder: None };
+    let outcome = drive(&job).map_err(|cause| format!("{path}: {cause}"))?;
+    let (report, stopped) = (&outcome.report, outcome.failure.is_some());
+    Ok(judged(&described.name, &described.expectations, &report.expectations, &outcome.tables, stopped))
+}
+
+fn judged(
+    name: &str,
+    expectations: &[Expectation],
+    verdicts: &[ExpectationVerdict],
+    tables: &[Table],
+    stopped: bool,
+) -> Vec<Verdict> {
+    let pairs = expectations.iter().zip(verdicts);
+    pairs
         .map(|(expectation, verdict)| Verdict {
             topic: Topic::Benchmarks,
-            claim: format!("{}: {}", scene.name, verdict.text),
+            claim: format!("{name}: {}", verdict.text),
             source: verdict.place.clone(),
-            because: "the tolerance the scene states; the control reads the same line twenty tolerances off"
+            because: "the tolerance the file states; the control reads the same line twenty tolerances off"
                 .into(),
             measured: verdict.measured.unwrap_or(f64::NAN),
             bound: verdict.bound,
-            control: control(expectation, &outcome.tables).unwrap_or(f64::NAN),
-            holds: verdict.holds && outcome.failure.is_none(),
+            control: control(expectation, tables).unwrap_or(f64::NAN),
+            holds: verdict.holds && !stopped,
         })
-        .collect())
+        .collect()
 }
