@@ -33,7 +33,8 @@ static ALLOCATOR: Counting = Counting;
 fn allocations(choices: &[(&str, &str)]) -> u64 {
     let name = "tests/scenes/strip.tissue";
     let text = std::fs::read_to_string(name).expect("the scene is there");
-    let overrides: Vec<(String, String)> = choices.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
+    let overrides: Vec<(String, String)> =
+        choices.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
     let (document, mistakes) = resolve(&Source { name: name.into(), text }, &FileSystem, &overrides);
     let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
     assert!(mistakes.is_empty(), "{told}");
