@@ -2,6 +2,7 @@
 //!
 //! Owns set-up: nodes, pairs, compiled laws, supports, initial state. Runs once.
 
+use super::admissible::{is_symmetric, starts_at_rest};
 use super::affine::AffineMotion;
 use super::body::{Block, BodyState, CHUNK, DirectionField};
 use super::constraint::Support;
@@ -84,6 +85,8 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     if has_external {
         external.evaluate(&state.particles.position, 0.0, &mut state.external, &mut scratch);
     }
+    starts_at_rest(scene, index, &state)?;
+    is_symmetric(scene, &state)?;
     Ok(Assembled { state, affine, external })
 }
 

@@ -46,6 +46,22 @@ pub enum SolveError {
         /// What to write instead.
         instead: &'static str,
     },
+    /// A prescribed displacement jumps at the start.
+    Jump {
+        /// The word that prescribes it.
+        word: String,
+        /// Line of the word.
+        line: u32,
+        /// The displacement at time zero, m.
+        displacement: f64,
+    },
+    /// Something of the scene is not symmetric about a plane of symmetry.
+    NotSymmetric {
+        /// What it is.
+        what: String,
+        /// Axis of the plane's normal.
+        axis: char,
+    },
     /// The volume map left the domain of the energy.
     NonPositiveJacobian {
         /// Index of the particle in its body.
@@ -105,6 +121,10 @@ pub enum Cause {
     LoadTooFast(f64),
     /// The fibres were stretched to where the exponential overflows.
     FibreOverflow(f64),
+    /// A prescribed displacement has no value; its component.
+    UndefinedMotion(char),
+    /// A traction or body force has no value.
+    UndefinedLoad,
     /// Nothing stands out.
     Unknown,
 }
@@ -129,6 +149,13 @@ impl fmt::Display for Cause {
                 "a largest principal stretch of {stretch:.3} drives the energy's exponential out of range; \
                  pull less far or check the parameters"
             ),
+            Self::UndefinedMotion(axis) => write!(
+                f,
+                "the prescribed displacement along {axis} has no finite value at this time; check its formula"
+            ),
+            Self::UndefinedLoad => {
+                write!(f, "a traction or body force has no finite value at this time; check its formula")
+            }
             Self::Unknown => write!(
                 f,
                 "no single cause stands out; try a smaller `cfl`, a finer `spacing` or a slower load"
@@ -155,6 +182,15 @@ impl fmt::Display for SolveError {
                 }
             }
             Self::Unsupported { what, instead } => write!(f, "{what} is not available; {instead}"),
+            Self::Jump { word, line, displacement } => write!(
+                f,
+                "`{word}` in line {line} starts with a displacement of {displacement:.3e} m, which no body can follow; \
+                 write `ramp(0 mm -> …, over = …)`"
+            ),
+            Self::NotSymmetric { what, axis } => write!(
+                f,
+                "{what} is not symmetric about the plane of symmetry normal to {axis}; leave {axis} out of `planes`"
+            ),
             Self::NonPositiveJacobian { particle, body, position: x, time, jacobian, cause } => write!(
                 f,
                 "volume map J = {jacobian:.3e} is not positive at particle {particle} of `{body}`, \
@@ -171,7 +207,8 @@ impl fmt::Display for SolveError {
                 f,
                 "stable time step {required:.3e} s is below the smallest sensible {allowed:.3e} s at particle \
                  {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: \
-                 the material has stiffened there beyond what the scene meant",
+                 the material has stiffened there beyond what the scene meant, or the end time asks for more than \
+                 1e9 steps",
                 x.x, x.y, x.z
             ),
         }

@@ -2,6 +2,7 @@
 //!
 //! Owns the state and its motion. Knows neither text, units nor files.
 
+mod admissible;
 pub mod affine;
 mod assemble;
 mod body;

@@ -5,7 +5,7 @@
 
 use super::affine::AffineMotion;
 use super::assemble::{Assembled, assemble};
-use super::body::{Block, BodyState, CHUNK, Failure};
+use super::body::{Block, BodyState, CHUNK};
 use super::diagnosis;
 use super::dissipation::Speeds;
 use super::error::SolveError;
@@ -77,6 +77,10 @@ impl Simulation {
         simulation.prepare_supports(simulation.stable_step);
         if simulation.damping > 0.0 {
             for (body, affine) in simulation.bodies.iter_mut().zip(&simulation.affine) {
+                if body.launch_speed > 0.0 {
+                    // the scene's own start velocities stand
+                    continue;
+                }
                 affine.start(&body.particles.position, &body.supports, simulation.stable_step, &mut body.v);
             }
         }
@@ -147,7 +151,22 @@ impl Simulation {
         self.time = next;
         self.steps += 1;
         self.last_step = step;
+        diagnosis::not_finite(&self.bodies, &self.run, step, next).map_or(Ok(()), Err)?;
         Ok(count == 1.0)
+    }
+
+    /// Brings stresses and accelerations up to the state, for whoever reads them next.
+    ///
+    /// Velocity Verlet ends a step with them; Heun's method ends with the mean of two stages, at which
+    /// nothing has been evaluated yet.
+    ///
+    /// # Errors
+    /// If the state has left the domain of an energy.
+    pub fn synchronise(&mut self) -> Result<(), SolveError> {
+        if self.run.integrator == Integrator::TvdRk2 && self.steps > 0 {
+            self.evaluate(0.0)?;
+        }
+        Ok(())
     }
 
     /// Velocity Verlet: half a kick, a drift, forces, half a kick; synchronised at its end.
@@ -209,7 +228,8 @@ impl Simulation {
         for body in &mut self.bodies {
             maps_and_stress(body, step, &self.workspaces);
         }
-        self.find_failures()?;
+        let found = diagnosis::failure(&self.bodies, &self.run, self.last_step, self.time);
+        found.map_or(Ok(()), Err)?;
         for index in 0..self.bodies.len() {
             let terms = self.force_terms(index);
             forces(&mut self.bodies[index], terms);
@@ -320,38 +340,6 @@ impl Simulation {
             stable = stable.min(required);
         }
         self.stable_step = stable;
-        Ok(())
-    }
-
-    fn find_failures(&self) -> Result<(), SolveError> {
-        for body in &self.bodies {
-            let Some(failure) = body.blocks.iter().find_map(|block| block.failure) else { continue };
-            let (Failure::Jacobian { particle, .. } | Failure::Stress { particle }) = failure;
-            let cause = diagnosis::cause(body, particle, &self.run, self.last_step);
-            let position = body.particles.position[particle];
-            let (name, time) = (body.name.clone(), self.time);
-            return Err(match failure {
-                Failure::Jacobian { value, .. } if value.is_finite() => SolveError::NonPositiveJacobian {
-                    particle,
-                    body: name,
-                    position,
-                    time,
-                    jacobian: value,
-                    cause,
-                },
-                Failure::Jacobian { .. } => SolveError::NotFinite {
-                    quantity: "deformation gradient",
-                    particle,
-                    body: name,
-                    position,
-                    time,
-                    cause,
-                },
-                Failure::Stress { .. } => {
-                    SolveError::NotFinite { quantity: "stress", particle, body: name, position, time, cause }
-                }
-            });
-        }
         Ok(())
     }
 }

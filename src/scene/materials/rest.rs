@@ -43,7 +43,23 @@ pub(super) fn check(mistakes: &mut Mistakes, energy: &Site, material: &Material)
     let sum: f64 = diagonal.iter().map(|&i| diagonal.iter().map(|&j| tangent[(i, j)]).sum::<f64>()).sum();
     let bulk = sum / 9.0;
     if bulk > ZERO * stiffness {
-        return Ok(());
+        let softest = softest_wave(&tangent);
+        if softest >= -ZERO * stiffness {
+            return Ok(());
+        }
+        let found = Quantity::new(softest, Dimension::PRESSURE);
+        let message = format!(
+            "the undeformed material must resist shear, but its acoustic tensor has the eigenvalue {found}"
+        );
+        let help = "check the signs of the terms: a positive modulus makes a term of `I1bar - 3` stable";
+        return Err(mistakes.report(
+            &energy.file,
+            Code::NoVolumetricTerm,
+            span,
+            message,
+            "",
+            Some(help.into()),
+        ));
     }
     let names: Vec<String> = material.terms.iter().map(|(name, _)| format!("`{name}`")).collect();
     let names = names.join(" + ");
@@ -55,6 +71,27 @@ pub(super) fn check(mistakes: &mut Mistakes, energy: &Site, material: &Material)
         (format!("the bulk modulus is 0: {names} does not resist a change of volume"), Some(help))
     };
     Err(mistakes.report(&energy.file, Code::NoVolumetricTerm, span, message, "", help))
+}
+
+/// Smallest eigenvalue of the acoustic tensors along axes, face and space diagonals, Pa.
+///
+/// A modulus of zero is no mistake: the toe of some tissues has none.
+fn softest_wave(tangent: &crate::energy::Tangent) -> f64 {
+    let mut softest = f64::INFINITY;
+    for x in [-1.0, 0.0, 1.0] {
+        for y in [-1.0, 0.0, 1.0] {
+            for z in [0.0, 1.0] {
+                let Some(n) = Vec3::new(x, y, z).try_normalize(0.5) else { continue };
+                let q = Mat3::from_fn(|i, j| {
+                    (0..3)
+                        .flat_map(|k| (0..3).map(move |l| (k, l)))
+                        .fold(0.0, |sum, (k, l)| sum + n[k] * n[l] * tangent[(i + 3 * k, j + 3 * l)])
+                });
+                softest = softest.min(q.symmetric_eigenvalues().min());
+            }
+        }
+    }
+    softest
 }
 
 /// The directions at rest; one that depends on place is replaced by an axis, which is as good a unit vector.
