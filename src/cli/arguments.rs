@@ -90,8 +90,8 @@ pub struct RunOptions {
 /// Options of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyOptions {
-    /// Topics: language, energies, discretisation, conservation, consistency, convergence, benchmarks,
-    /// figures [default: all]
+    /// Topics: language, energies, discretisation, conservation, consistency, benchmarks, figures
+    /// (convergence and stability: no claim yet) [default: all]
     #[arg(value_name = "TOPIC")]
     pub topics: Vec<String>,
     /// Write the verdicts as JSON as well

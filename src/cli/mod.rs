@@ -7,6 +7,7 @@ mod arguments;
 mod check;
 mod drive;
 mod explain;
+mod folder;
 mod format;
 mod input;
 mod plan;

@@ -3,15 +3,15 @@
 use super::Exit;
 use super::arguments::RunOptions;
 use super::drive::run_drive;
+use super::folder::{announce, prepare};
 use super::input::{Input, read_or_explain, runnable};
 use super::progress::Bar;
-use crate::output::file::{create_fresh_folder, write_atomic};
+use crate::output::file::write_atomic;
 use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
 use crate::run::{self, Outcome, execute, figures};
 use crate::scene::{Drive, Plot, Scene};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Runs a file's drives and scenes.
@@ -83,34 +83,14 @@ fn folder(options: &RunOptions, name: &str, several: bool) -> PathBuf {
     }
 }
 
-/// Makes the output folder, or empties it if it holds an earlier run and that may go.
-fn prepare(folder: &Path, overwrite: bool) -> Result<(), String> {
-    let shown = folder.display();
-    if overwrite && folder.join("run.json").is_file() {
-        let entries = fs::read_dir(folder).map_err(|cause| format!("cannot read {shown}: {cause}"))?;
-        for entry in entries.flatten() {
-            let path = entry.path();
-            let ours = path.extension().is_some_and(|extension| {
-                ["csv", "vtu", "pvd", "svg", "json", "part"].iter().any(|known| extension == *known)
-            });
-            if ours && path.is_file() {
-                fs::remove_file(&path)
-                    .map_err(|cause| format!("cannot remove {}: {cause}", path.display()))?;
-            }
-        }
-    }
-    create_fresh_folder(folder).map_err(|cause| {
-        format!(
-            "cannot write to {shown}: {cause}; name another folder with --out, or replace an earlier run with \
-             --overwrite"
-        )
-    })
-}
-
 fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) -> Exit {
     let plan = Plan::new(scene);
     let provenance = Provenance::new(&input.name, &input.hash, &scene.name);
     let job = run::Job { scene, plan: &plan, provenance, folder: Some(folder.to_path_buf()) };
+    if let Err(message) = announce(folder, &job.announcement()) {
+        eprintln!("error: {message}");
+        return Exit::Failed;
+    }
     let mut bar = Bar::new(&scene.name, options.quiet);
     let outcome = execute(&job, &mut bar);
     bar.finish();
@@ -118,7 +98,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         Ok(outcome) => outcome,
         Err(cause) => {
             eprintln!("error: scene `{}`: {cause}", scene.name);
-            return Exit::Failed;
+            return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
     };
     let mut exit = if report.status == RunStatus::Held { Exit::Fine } else { Exit::Failed };

@@ -133,8 +133,8 @@ impl Observer {
                 weighted(&|body, a| body.stress(a)[(*axis as usize, *normal as usize)])
             }
             Probe::FieldAt { field, .. } => weighted(&|body, a| field_value(body, a, *field)),
-            Probe::FieldMax(field) => extreme(bodies, *field, |new, old| new > old),
-            Probe::FieldMin(field) => extreme(bodies, *field, |new, old| new < old),
+            Probe::FieldMax(field) => self.extreme(bodies, *field, |new, old| new > old),
+            Probe::FieldMin(field) => self.extreme(bodies, *field, |new, old| new < old),
             Probe::KineticEnergy => sums.kinetic_energy,
             Probe::StrainEnergy => sums.strain_energy,
             Probe::TotalEnergy => sums.kinetic_energy + sums.strain_energy,
@@ -148,11 +148,24 @@ impl Observer {
             Probe::DivH => maps.div_h,
         }
     }
+
+    /// Extreme of a field over the particles and their mirror images.
+    fn extreme(&self, bodies: &[BodyState], field: Field, better: fn(f64, f64) -> bool) -> f64 {
+        let is_odd = (0..3).any(|plane| self.symmetry[plane].is_some() && flips(field, plane));
+        let values = bodies.iter().flat_map(|body| (0..body.len()).map(move |a| field_value(body, a, field)));
+        let images = values.flat_map(|value| [value, if is_odd { -value } else { value }]);
+        images.reduce(|old, new| if better(new, old) || new.is_nan() { new } else { old }).unwrap_or(f64::NAN)
+    }
 }
 
-fn extreme(bodies: &[BodyState], field: Field, better: fn(f64, f64) -> bool) -> f64 {
-    let values = bodies.iter().flat_map(|body| (0..body.len()).map(move |a| field_value(body, a, field)));
-    values.reduce(|old, new| if better(new, old) || new.is_nan() { new } else { old }).unwrap_or(f64::NAN)
+/// Whether a mirror normal to an axis flips the sign of a field.
+fn flips(field: Field, axis: usize) -> bool {
+    let is = |index: u8| usize::from(index) == axis;
+    match field {
+        Field::Displacement(i) | Field::Velocity(i) => is(i),
+        Field::Sigma(i, j) | Field::P(i, j) | Field::F(i, j) => is(i) != is(j),
+        Field::VonMises | Field::Pressure | Field::J => false,
+    }
 }
 
 fn reads_totals(probe: &Probe) -> bool {
@@ -176,7 +189,7 @@ fn reads_involutions(probe: &Probe) -> bool {
 
 fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepared, ProbeError> {
     Ok(match probe {
-        Probe::Displacement { region, .. } => face_mean(bodies, region),
+        Probe::Displacement { region, axis } => face_mean(scene, bodies, region, *axis as usize),
         Probe::DisplacementAt { body, point, .. } | Probe::FieldAt { body, point, .. } => {
             let state = &bodies[*body];
             let found = Interpolation::new(&state.particles, &(*point).into())
@@ -191,12 +204,18 @@ fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepare
     })
 }
 
-/// Area-weighted mean over a face.
-fn face_mean(bodies: &[BodyState], region: &Region) -> Prepared {
+/// Area-weighted mean over a face and its mirror images; a component across a plane cancels.
+fn face_mean(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) -> Prepared {
     let Some(face) = bodies[region.body].particles.face(&region.face) else { return Prepared::Plain };
     let weights = face.nodes.iter().zip(&face.area).map(|(&a, area)| (a as usize, area.norm())).collect();
     let total: f64 = face.area.iter().map(|area| area.norm()).sum();
-    Prepared::Weighted { body: region.body, weights, factor: 1.0 / total }
+    let cancels = images(scene, normal_axis(scene, region), axis) == 0.0;
+    Prepared::Weighted { body: region.body, weights, factor: if cancels { 0.0 } else { 1.0 / total } }
+}
+
+/// Axis of the normal of a plane face.
+fn normal_axis(scene: &Scene, region: &Region) -> Option<usize> {
+    scene.bodies[region.body].shape.face_normal(&region.face).map(|normal| normal.iamax())
 }
 
 /// Mirror images of a plane normal to `normal`, and whether component `axis` cancels among them.
@@ -213,20 +232,20 @@ fn reaction(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) -
     let body = &bodies[region.body];
     let held = body.supports.iter().find(|support| support.face == region.face && support.axis == axis);
     let weights = held.map_or_else(Vec::new, |s| s.nodes.iter().map(|&a| (a as usize, 1.0)).collect());
-    let normal = scene.bodies[region.body].shape.face_normal(&region.face).map(|n| n.iamax());
-    Prepared::Weighted { body: region.body, weights, factor: images(scene, normal, axis) }
+    let factor = images(scene, normal_axis(scene, region), axis);
+    Prepared::Weighted { body: region.body, weights, factor }
 }
 
-/// Force through a plane: the forces of the layers within the reach of a stencil, weighted to it.
+/// Force through a plane: stresses within the reach of a stencil, weighted to it.
 ///
 /// ```text
-/// f_i = Σ_l w_l Σ_{a in l} (V_a/h_l) P_iJ(a) N_J / Σ_l w_l,   w_l = 1 − |X_l − s|/(2 dx)
+/// f_i = Σ_a V_a w(X_a) P_iJ(a) N_J,   w(X) = 1/(2 dx) (1 − |X·N − s|/(2 dx)),   ∫ w dX = 1
 /// ```
 ///
-/// `V_a/h_l` is the cross-section a node stands for: `h_l = dx`, or `dx/2` in the layer at an end
-/// of the modelled part. Two spacings wide, because nodal stresses may alternate from layer to layer
-/// (a zero-energy mode that no force opposes) while their mean carries the load. A layer beside a
-/// plane of symmetry counts with its mirror image.
+/// Two spacings wide to each side, because nodal stresses may alternate from layer to layer (a
+/// zero-energy mode that no force opposes) while their mean carries the load. Beyond a plane of
+/// symmetry or an end of the body the field goes on as its mirror image. `dx` is the spacing the
+/// lattice makes of the body's extent.
 fn section(
     scene: &Scene,
     bodies: &[BodyState],
@@ -236,43 +255,23 @@ fn section(
     axis: usize,
 ) -> Result<Prepared, ProbeError> {
     let body = &bodies[index];
-    let spacing = layer_spacing(body, normal);
-    let near = |a: f64, b: f64| (a - b).abs() <= ON_PLANE * spacing;
-    let mut layers: Vec<f64> = body.particles.position.iter().map(|x| x[normal]).collect();
-    layers.sort_by(f64::total_cmp);
-    layers.dedup_by(|a, b| near(*a, *b));
-    let (low, high) = (layers[0], layers[layers.len() - 1]);
-    if !(near(at, low) || near(at, high) || (low < at && at < high)) {
+    let position = &body.particles.position;
+    let low = position.iter().map(|x| x[normal]).fold(f64::INFINITY, f64::min);
+    let high = position.iter().map(|x| x[normal]).fold(f64::NEG_INFINITY, f64::max);
+    let spacing = (high - low) / libm::round((high - low) / body.particles.spacing).max(1.0);
+    let tolerance = ON_PLANE * spacing;
+    if at < low - tolerance || at > high + tolerance {
         return Err(ProbeError::NoSection { body: body.name.clone(), axis: ['x', 'y', 'z'][normal], at });
     }
-    let mirror = scene.symmetry[normal].as_ref().map(|plane| plane.at);
-    let hat = |x: f64| (1.0 - (x - at).abs() / (2.0 * spacing)).max(0.0);
-    let share = |x: f64| match mirror {
-        Some(plane) if !near(x, plane) => hat(x) + hat(2.0 * plane - x),
-        _ => hat(x),
-    };
-    let total: f64 = layers.iter().map(|&x| share(x)).sum();
-    let weights = body
-        .particles
-        .position
+    let hat = |x: f64| (1.0 - (x - at).abs() / (2.0 * spacing)).max(0.0) / (2.0 * spacing);
+    let share = |x: f64| hat(x) + hat(2.0 * low - x) + hat(2.0 * high - x);
+    let weights = position
         .iter()
         .enumerate()
-        .map(|(a, x)| (a, x[normal], share(x[normal])))
-        .filter(|(_, _, share)| *share > ON_PLANE)
-        .map(|(a, x, share)| {
-            let thickness = if near(x, low) || near(x, high) { 0.5 * spacing } else { spacing };
-            (a, share / total * body.particles.volume[a] / thickness)
-        })
+        .map(|(a, x)| (a, body.particles.volume[a] * share(x[normal])))
+        .filter(|(_, weight)| *weight > 0.0)
         .collect();
     Ok(Prepared::Weighted { body: index, weights, factor: images(scene, Some(normal), axis) })
-}
-
-/// Distance between node layers along an axis: the spacing, or what the lattice made of it.
-fn layer_spacing(body: &BodyState, axis: usize) -> f64 {
-    let mut coordinates: Vec<f64> = body.particles.position.iter().map(|x| x[axis]).collect();
-    coordinates.sort_by(f64::total_cmp);
-    let gaps = coordinates.windows(2).map(|pair| pair[1] - pair[0]);
-    gaps.filter(|gap| *gap > ON_PLANE * body.particles.spacing).fold(0.0, f64::max)
 }
 
 /// Share of the spacing below which two coordinates are one.

@@ -182,6 +182,7 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         symmetric + held > 0,
         match (held, symmetric) {
             (0, 0) => "no support and no plane of symmetry in the scene".into(),
+            (0, 1) => "a plane of symmetry".into(),
             (0, planes) => format!("{planes} planes of symmetry"),
             (_, 0) => format!("`{}`, {}", scene.prescribed[0].word, line(&scene.prescribed[0].place)),
             (_, planes) => format!(

@@ -26,6 +26,15 @@ pub enum RunError {
     Drive(DriveError),
     /// A record asks for a place that is not there.
     Probe(ProbeError),
+    /// A record or a frame series has more samples than make sense.
+    TooManySamples {
+        /// Its name.
+        name: String,
+        /// Samples asked for.
+        samples: f64,
+        /// Samples allowed.
+        most: f64,
+    },
     /// A table could not be written.
     Table(TableError),
     /// A frame could not be written.
@@ -39,6 +48,27 @@ pub enum RunError {
     },
 }
 
+impl RunError {
+    /// Whether the scene asks for something that is not there, so that no run could have done it.
+    pub fn is_input(&self) -> bool {
+        let of_scene = |cause: &SolveError| {
+            matches!(
+                cause,
+                SolveError::Discretisation { .. }
+                    | SolveError::Energy { .. }
+                    | SolveError::Unsupported { .. }
+                    | SolveError::Jump { .. }
+                    | SolveError::NotSymmetric { .. }
+            )
+        };
+        match self {
+            Self::Solve(cause) => of_scene(cause),
+            Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
+            Self::Table(_) | Self::Frame(_) | Self::Io { .. } => false,
+        }
+    }
+}
+
 impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -46,6 +76,10 @@ impl fmt::Display for RunError {
             Self::Law { material, cause } => write!(f, "material `{material}`: {cause}"),
             Self::Drive(cause) => write!(f, "{cause}"),
             Self::Probe(cause) => write!(f, "{cause}"),
+            Self::TooManySamples { name, samples, most } => write!(
+                f,
+                "`{name}` asks for {samples:.1e} samples, at most {most:.0e} are written; write a longer `every`"
+            ),
             Self::Table(cause) => write!(f, "{cause}"),
             Self::Frame(cause) => write!(f, "{cause}"),
             Self::Io { path, cause } => write!(f, "cannot write {}: {cause}", path.display()),

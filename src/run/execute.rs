@@ -10,7 +10,7 @@ use super::snapshot::frame;
 use crate::monitor::{Observer, totals};
 use crate::output::file::write_atomic;
 use crate::output::report::{Choice, RunStatus, TotalChange};
-use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableWriter};
+use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableError, TableWriter};
 use crate::plan::Plan;
 use crate::scene::{Column, Frames, Record, Scene};
 use crate::solver::{Simulation, SolveError};
@@ -31,6 +31,21 @@ pub struct Job<'a> {
     pub folder: Option<PathBuf>,
 }
 
+impl Job<'_> {
+    /// The report of a run that has not ended: what it is and which files it is about to write.
+    pub fn announcement(&self) -> RunReport {
+        let tables = self.scene.records.iter().map(|record| format!("{}.csv", record.name));
+        let frames = self.scene.frames.iter().map(|frames| format!("{}.pvd", frames.name));
+        RunReport {
+            provenance: self.provenance.clone(),
+            plan: self.plan.to_string().lines().map(String::from).collect(),
+            choices: self.plan.choices.iter().map(choice).collect(),
+            files: tables.chain(frames).collect(),
+            ..RunReport::default()
+        }
+    }
+}
+
 /// What a run left behind.
 #[derive(Debug)]
 pub struct Outcome {
@@ -39,7 +54,7 @@ pub struct Outcome {
     /// The tables, also written as CSV.
     pub tables: Vec<Table>,
     /// Why the run stopped early, if it did.
-    pub failure: Option<SolveError>,
+    pub failure: Option<RunError>,
 }
 
 /// Who watches a run.
@@ -63,6 +78,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     let scene = job.scene;
     let tapes = scene.records.iter().flat_map(|record| record.columns.iter().map(|column| &column.value));
     let observer = Observer::new(scene, simulation.bodies(), tapes)?;
+    refuse_floods(scene)?;
     let before = totals(simulation.bodies(), &scene.symmetry);
     let mut records = Vec::new();
     for record in &scene.records {
@@ -73,8 +89,21 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     let mut failure = None;
     loop {
         let time = simulation.time();
-        for recording in &mut records {
-            recording.sample(&simulation, &observer, time)?;
+        let is_due = |schedule: &Schedule| schedule.is_due(time);
+        if records.iter().any(|r| is_due(&r.schedule)) || frames.iter().any(|f| is_due(&f.schedule)) {
+            if let Err(cause) = simulation.synchronise() {
+                failure = Some(RunError::Solve(cause));
+                break;
+            }
+        }
+        match records.iter_mut().try_for_each(|recording| recording.sample(&simulation, &observer, time)) {
+            Ok(()) => {}
+            // a column without a value ends the run like a state without one
+            Err(cause @ RunError::Table(TableError::NotFinite { .. })) => {
+                failure = Some(cause);
+                break;
+            }
+            Err(cause) => return Err(cause),
         }
         for filming in &mut frames {
             filming.sample(&simulation, time)?;
@@ -87,7 +116,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         match advance(&mut simulation, next, scene.run.until, progress) {
             Ok(()) => {}
             Err(cause) => {
-                failure = Some(cause);
+                failure = Some(RunError::Solve(cause));
                 break;
             }
         }
@@ -123,6 +152,23 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         report.files.extend(filming.collection.frames.iter().map(|(_, file)| file.clone()));
     }
     Ok(Outcome { report, tables, failure })
+}
+
+/// Rows a table may have, and frames a series.
+const MOST_ROWS: f64 = 1e6;
+const MOST_FRAMES: f64 = 1e5;
+
+/// Refuses intervals that would fill the disk.
+fn refuse_floods(scene: &Scene) -> Result<(), RunError> {
+    let until = scene.run.until;
+    let records = scene.records.iter().map(|record| (&record.name, record.every, MOST_ROWS));
+    let frames = scene.frames.iter().map(|frames| (&frames.name, frames.every, MOST_FRAMES));
+    for (name, every, most) in records.chain(frames) {
+        if until / every > most {
+            return Err(RunError::TooManySamples { name: name.clone(), samples: until / every, most });
+        }
+    }
+    Ok(())
 }
 
 fn advance(

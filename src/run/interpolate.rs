@@ -12,10 +12,14 @@
 ///
 /// The error is that of linear interpolation, `⅛ (Δx)² y''`, with the record's own spacing.
 pub fn crossing(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
-    if let Some(i) = x.iter().position(|&value| value == at) {
-        return Some(y[i]);
+    if x.first() == Some(&at) {
+        return y.first().copied();
     }
-    let i = x.windows(2).position(|pair| (pair[0] - at) * (pair[1] - at) < 0.0)?;
+    let reaches = |pair: &[f64]| pair[1] == at || (pair[0] - at) * (pair[1] - at) < 0.0;
+    let i = x.windows(2).position(reaches)?;
+    if x[i + 1] == at {
+        return Some(y[i + 1]);
+    }
     let share = (at - x[i]) / (x[i + 1] - x[i]);
     Some(y[i] + share * (y[i + 1] - y[i]))
 }
@@ -107,6 +111,8 @@ mod tests {
         let x = [0.0, 1.0, 0.5, 2.0];
         let y = [0.0, 10.0, 20.0, 30.0];
         assert_eq!(crossing(&x, &y, 0.75), Some(7.5));
+        // a row that has the value exactly does not win over an earlier crossing
+        assert_eq!(crossing(&[0.0, 2.0, 1.0], &[0.0, 10.0, 20.0], 1.0), Some(5.0));
         assert_eq!(crossing(&x, &y, 3.0), None);
         assert_eq!(reference_value(&x, &y, 0.75), None);
     }

@@ -30,10 +30,15 @@ impl Schedule {
         (before != Some(self.until)).then(|| self.time(self.taken))
     }
 
+    /// Whether a sample is due at `time`.
+    pub fn is_due(&self, time: f64) -> bool {
+        self.next().is_some_and(|next| next <= time + SAME * self.every)
+    }
+
     /// Takes the next sample if it is due at `time`. Times of two schedules that differ by round-off
     /// are one: a step of that length would have no meaning.
     pub fn take(&mut self, time: f64) -> bool {
-        let due = self.next().is_some_and(|next| next <= time + SAME * self.every);
+        let due = self.is_due(time);
         self.taken += u64::from(due);
         due
     }

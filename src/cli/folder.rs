@@ -1,0 +1,85 @@
+//! The folder a run writes to.
+//!
+//! Owns the promise that results are replaced only on request and that nothing else in a folder is
+//! ever touched.
+
+use crate::output::RunReport;
+use crate::output::file::{create_fresh_folder, write_atomic};
+use std::fs;
+use std::path::Path;
+
+/// The file that says what a folder holds.
+pub const REPORT: &str = "run.json";
+
+/// Makes the output folder, or removes from it the files of an earlier run if they may go.
+///
+/// # Errors
+/// What is in the way and what to write.
+pub fn prepare(folder: &Path, overwrite: bool) -> Result<(), String> {
+    if overwrite {
+        let earlier = earlier(folder);
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let mut names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+        if let Some(foreign) = names.find(|name| !earlier.contains(name)) {
+            return Err(format!(
+                "{} holds `{foreign}`, which no run listed in {REPORT} wrote; name another folder with --out",
+                folder.display()
+            ));
+        }
+        for name in earlier {
+            let path = folder.join(name);
+            if path.is_file() {
+                fs::remove_file(&path)
+                    .map_err(|cause| format!("cannot remove {}: {cause}", path.display()))?;
+            }
+        }
+    }
+    create_fresh_folder(folder).map_err(|cause| {
+        format!(
+            "cannot write to {}: {cause}; name another folder with --out, or replace an earlier run with --overwrite",
+            folder.display()
+        )
+    })
+}
+
+/// Writes the report that an interrupted run leaves behind.
+///
+/// # Errors
+/// If the folder cannot be written.
+pub fn announce(folder: &Path, report: &RunReport) -> Result<(), String> {
+    let path = folder.join(REPORT);
+    write_atomic(&path, report.to_json().as_bytes())
+        .map_err(|cause| format!("cannot write {}: {cause}", path.display()))
+}
+
+/// Names of the files the report of an earlier run lists, and of the frames its collections name.
+fn earlier(folder: &Path) -> Vec<String> {
+    let Ok(text) = fs::read_to_string(folder.join(REPORT)) else { return Vec::new() };
+    let Ok(report) = serde_json::from_str::<serde_json::Value>(&text) else { return Vec::new() };
+    let Some(files) = report["files"].as_array() else { return Vec::new() };
+    let mut names = vec![REPORT.to_string()];
+    for file in files.iter().filter_map(|file| file.as_str()).filter(|file| is_plain(file)) {
+        if let Some(stem) = file.strip_suffix(".pvd") {
+            names.extend(frames(folder, stem));
+        }
+        names.push(file.to_string());
+        names.push(format!("{file}.part"));
+    }
+    names
+}
+
+/// A name in the folder itself; a report is a file anyone may have edited.
+fn is_plain(name: &str) -> bool {
+    Path::new(name).components().count() == 1 && !name.contains(['/', '\\']) && name != ".."
+}
+
+/// `stem_0000.vtu`, `stem_0001.vtu`, … as they stand in the folder.
+fn frames(folder: &Path, stem: &str) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let is_frame = |name: &String| {
+        let number =
+            name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')).map(|rest| rest.split_once('.'));
+        matches!(number, Some(Some((digits, "vtu" | "vtu.part"))) if !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()))
+    };
+    entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).filter(is_frame).collect()
+}
