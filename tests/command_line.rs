@@ -167,6 +167,28 @@ fn a_folder_that_holds_something_else_is_never_emptied() {
 }
 
 #[test]
+fn what_the_user_put_beside_an_earlier_run_stays() {
+    let out = folder("beside").join("run");
+    let run = |more: &[&str]| tissue(&[&["run", STRIP, "--out", path(&out), "--quiet"], more].concat());
+    assert_eq!(run(&[]).status.code(), Some(0));
+    fs::write(out.join("thesis.csv"), "years of work").expect("the folder can be written");
+    let before = contents(&out);
+    let output = run(&["--overwrite"]);
+    assert_eq!(output.status.code(), Some(2), "a folder that holds more than a run is not written to");
+    assert!(text(&output.stderr).contains("thesis.csv"), "{}", text(&output.stderr));
+    assert!(contents(&out) == before, "a refused run changed a file");
+    assert_eq!(fs::read_to_string(out.join("thesis.csv")).expect("still there"), "years of work");
+}
+
+#[test]
+fn a_scene_that_cannot_be_set_up_ends_with_2() {
+    let out = folder("set_up").join("run");
+    let output = tissue(&["run", STRIP, "--out", path(&out), "--quiet", "--set", "strip.spacing=0.7mm"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("`strip`"), "{}", text(&output.stderr));
+}
+
+#[test]
 fn a_run_that_goes_wrong_names_particle_place_time_and_cause_and_keeps_what_it_had() {
     let out = folder("blow_up").join("run");
     let output = tissue(&["run", STRIP, "--out", path(&out), "--quiet", "--set", "run.cfl=2.5"]);

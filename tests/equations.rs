@@ -20,6 +20,13 @@ fn tags(text: &str) -> BTreeSet<Equation> {
             found.extend(expanded(numbers).into_iter().map(|number| (work.to_owned(), number)));
         }
     }
+    // in a claim's `source` the work stands without brackets
+    for (at, _) in text.match_indices("NB25 (") {
+        let rest = &text[at + "NB25 ".len()..];
+        let end = rest.find(|c: char| !c.is_ascii_digit() && !"(),-– ".contains(c)).unwrap_or(rest.len());
+        let numbers = &rest[..rest[..end].rfind(')').map_or(0, |last| last + 1)];
+        found.extend(expanded(numbers).into_iter().map(|number| ("NB25".to_owned(), number)));
+    }
     found
 }
 

@@ -12,17 +12,21 @@ mod consistency;
 mod discretisation;
 mod drive;
 mod energies;
+mod figures;
+mod language;
 mod scene;
 
 /// The claims that together take seconds; `cargo test` holds every one of them.
 pub fn quick() -> Vec<Claim> {
     let groups = [
+        language::CLAIMS,
         energies::CLAIMS,
         discretisation::CLAIMS,
         conservation::CLAIMS,
         consistency::CLAIMS,
         drive::CLAIMS,
         benchmarks::CLAIMS,
+        figures::CLAIMS,
     ];
     groups.concat()
 }

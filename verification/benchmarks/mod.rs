@@ -20,6 +20,10 @@ macro_rules! embedded {
     };
 }
 
+/// Values that make every scene a wrong one, for the controls: fibres without dispersion, on a coarse
+/// lattice. Lines that hold of any material are displaced by twenty tolerances instead.
+pub(crate) const WRONG: &[(&str, &str)] = &[("adventitia.kappa", "0"), ("strip.spacing", "0.25 mm")];
+
 /// Scenes whose expect lines are held.
 pub(crate) const SCENES: &[BenchmarkFile] = &[embedded!("specs/artery/axial.tissue")];
 
