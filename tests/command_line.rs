@@ -260,6 +260,9 @@ fn check_as_json_carries_every_mistake_with_its_place() {
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON on standard output");
     assert_eq!(report[0]["mistakes"].as_array().map(|list| list.is_empty()), Some(false));
     assert_eq!(report[1]["mistakes"].as_array().map(Vec::len), Some(0));
+    // twice C: kappa and k1 give the slack fibres no part
+    let shear = report[1]["audits"][0]["shear_modulus"].as_f64().expect("a number");
+    assert!((shear / 15.28e3 - 1.0).abs() < 1e-12, "{shear}");
 }
 
 #[test]

@@ -1,8 +1,9 @@
-//! `tissue check`.
+//! `tissue check`: mistakes, and the audit of every material.
 
 use super::Exit;
 use super::arguments::CheckOptions;
 use super::input::{Input, count, read};
+use crate::verify::MaterialAudit;
 use serde_json::{Value, json};
 
 /// Audits files; runs nothing.
@@ -23,10 +24,14 @@ pub fn check(options: &CheckOptions) -> Exit {
                 if !input.mistakes.is_empty() {
                     exit = Exit::WrongInput;
                 }
+                let (audits, sound) = audit(&input);
+                if exit == Exit::Fine && !sound {
+                    exit = Exit::Failed;
+                }
                 if options.json {
-                    documents.push(as_json(&input));
+                    documents.push(as_json(&input, &audits));
                 } else {
-                    print(&input);
+                    print(&input, &audits);
                 }
             }
         }
@@ -37,7 +42,27 @@ pub fn check(options: &CheckOptions) -> Exit {
     exit
 }
 
-fn print(input: &Input) {
+/// The audits of a file without mistakes, and whether every material can be computed with.
+fn audit(input: &Input) -> (Vec<MaterialAudit>, bool) {
+    let mut audits = Vec::new();
+    let mut sound = true;
+    let materials = if input.mistakes.is_empty() { &input.document.materials[..] } else { &[] };
+    for material in materials {
+        match MaterialAudit::of(material) {
+            Ok(audit) => {
+                sound &= audit.is_sound();
+                audits.push(audit);
+            }
+            Err(cause) => {
+                eprintln!("error: material `{}`: {cause}", material.name);
+                sound = false;
+            }
+        }
+    }
+    (audits, sound)
+}
+
+fn print(input: &Input, audits: &[MaterialAudit]) {
     for mistake in &input.mistakes {
         eprintln!("{}", mistake.render());
     }
@@ -50,12 +75,15 @@ fn print(input: &Input) {
         );
         println!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
         println!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
+        for audit in audits {
+            print!("\n{audit}");
+        }
     } else {
         eprintln!("{}: {}", input.name, count(input.mistakes.len()));
     }
 }
 
-fn as_json(input: &Input) -> Value {
+fn as_json(input: &Input, audits: &[MaterialAudit]) -> Value {
     let mistakes: Vec<Value> =
         input.mistakes.iter().map(|mistake| mistake.diagnostic.to_json(&mistake.source)).collect();
     json!({
@@ -63,6 +91,7 @@ fn as_json(input: &Input) -> Value {
         "hash": input.hash,
         "mistakes": mistakes,
         "materials": input.document.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
+        "audits": audits,
         "drives": input.document.drives.iter().map(|d| &d.name).collect::<Vec<_>>(),
         "scenes": input.document.scenes.iter().map(|s| &s.name).collect::<Vec<_>>(),
     })

@@ -3,6 +3,7 @@
 //! Owns what a claim is, how it is judged and how the judgement is printed. The claims themselves
 //! live beside their references in `verification/`; nothing here knows the command line.
 
+pub mod audit;
 pub mod claim;
 pub mod report;
 mod scenes;
@@ -10,6 +11,7 @@ mod scenes;
 #[path = "../../verification/mod.rs"]
 mod claims;
 
+pub use audit::MaterialAudit;
 pub use claim::{Claim, Topic, Verdict};
 pub use claims::quick;
 pub use report::Report;

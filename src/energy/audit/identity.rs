@@ -17,16 +17,18 @@ fn rotation() -> Mat3 {
 /// Central differences of ψ with the steps `h` and `h/2`. Not a number if both errors are zero to
 /// round-off, as for an energy of second degree.
 pub fn derivative_order(subject: &Subject, f: &Mat3, h: f64) -> f64 {
+    libm::log2(derivative_error(subject, f, h) / derivative_error(subject, f, 0.5 * h))
+}
+
+/// `|P − P_differences|/|P|` with central differences of ψ over `2h` at a state.
+pub fn derivative_error(subject: &Subject, f: &Mat3, h: f64) -> f64 {
     let p = subject.stress(f);
-    let error = |h: f64| {
-        let difference = Mat3::from_fn(|i, j| {
-            let mut e = Mat3::zeros();
-            e[(i, j)] = h;
-            (subject.density(&(f + e)) - subject.density(&(f - e))) / (2.0 * h)
-        });
-        (p - difference).norm()
-    };
-    libm::log2(error(h) / error(0.5 * h))
+    let difference = Mat3::from_fn(|i, j| {
+        let mut e = Mat3::zeros();
+        e[(i, j)] = h;
+        (subject.density(&(f + e)) - subject.density(&(f - e))) / (2.0 * h)
+    });
+    (p - difference).norm() / p.norm()
 }
 
 /// Stress of the reference configuration, Pa.
@@ -38,6 +40,16 @@ pub fn stress_at_rest(subject: &Subject) -> Mat3 {
 pub fn objectivity_error(subject: &Subject, f: &Mat3) -> f64 {
     let (q, p) = (rotation(), subject.stress(f));
     (subject.stress(&(q * f)) - q * p).norm() / p.norm()
+}
+
+/// `|P(F Qᵀ; Q a) − P(F; a) Qᵀ|/|P(F; a)|`: turning the body and its directions turns the answer.
+///
+/// For a law without directions this is isotropy.
+pub fn material_symmetry_error(subject: &Subject, f: &Mat3) -> f64 {
+    let (q, p) = (rotation(), subject.stress(f));
+    let turned: Vec<Vec3> = subject.directions.iter().map(|direction| q * direction).collect();
+    let subject = Subject { law: subject.law, directions: &turned };
+    (subject.stress(&(f * q.transpose())) - p * q.transpose()).norm() / p.norm()
 }
 
 /// `|A − Aᵀ|/|A|` of the tangent at a state.

@@ -10,7 +10,8 @@ mod stability;
 
 pub use growth::{VolumetricGrowth, overflow_stretch, volumetric_growth};
 pub use identity::{
-    asymmetry_of_tangent, derivative_order, deviator_under_dilation, objectivity_error, stress_at_rest,
+    asymmetry_of_tangent, derivative_error, derivative_order, deviator_under_dilation,
+    material_symmetry_error, objectivity_error, stress_at_rest,
 };
 pub use moduli::{Moduli, Uniaxial, moduli, one_sided, uniaxial};
 pub use stability::{

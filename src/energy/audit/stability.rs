@@ -18,7 +18,12 @@ pub struct Ellipticity {
     pub smallest: f64,
     /// Direction of travel `N` of it, in the reference configuration.
     pub travel: Vec3,
+    /// Size below which `smallest` says nothing, Pa: the round-off of the tangent.
+    pub resolution: f64,
 }
+
+/// Round-off of a tangent's entries relative to its norm: some hundred products, each to 1.1e-16.
+const ROUND_OFF: f64 = 1e-14;
 
 /// Smallest acoustic eigenvalue over all directions, Macaulay brackets at their kink slack.
 ///
@@ -27,12 +32,17 @@ pub struct Ellipticity {
 pub fn ellipticity(subject: &Subject, f: &Mat3) -> Ellipticity {
     let tangent = subject.law.tangent(f, subject.directions, Kink::Slack);
     if !tangent.iter().all(|value| value.is_finite()) {
-        return Ellipticity { smallest: f64::NAN, travel: Vec3::x() };
+        return Ellipticity { smallest: f64::NAN, travel: Vec3::x(), resolution: f64::INFINITY };
     }
     let candidates = sphere(DIRECTIONS).chain(subject.directions.iter().copied());
     let worst = candidates
-        .map(|travel| Ellipticity { smallest: lowest(&acoustic_tensor(&tangent, &travel)).0, travel })
-        .min_by(|a, b| a.smallest.total_cmp(&b.smallest))
+        .map(|travel| (lowest_value(&acoustic_tensor(&tangent, &travel)), travel))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, travel)| Ellipticity {
+            smallest: lowest(&acoustic_tensor(&tangent, &travel)).0,
+            travel,
+            resolution: ROUND_OFF * tangent.norm(),
+        })
         .expect("the scan has directions");
     descend(&tangent, worst)
 }
@@ -42,7 +52,7 @@ fn descend(tangent: &Tangent, mut at: Ellipticity) -> Ellipticity {
         let (_, n) = lowest(&acoustic_tensor(tangent, &at.travel));
         let (smallest, travel) = lowest(&polarised_tensor(tangent, &n));
         if smallest < at.smallest {
-            at = Ellipticity { smallest, travel };
+            at = Ellipticity { smallest, travel, ..at };
         } else {
             break;
         }
@@ -53,6 +63,22 @@ fn descend(tangent: &Tangent, mut at: Ellipticity) -> Ellipticity {
 fn lowest(q: &Mat3) -> (f64, Vec3) {
     let (values, vectors) = symmetric_eigen(q);
     (values[2], vectors.column(2).into())
+}
+
+/// The lowest eigenvalue in closed form, to half the digits: enough to rank directions by.
+///
+/// ```text
+/// λ_3 = m + 2 p cos(φ + 2π/3),   m = tr Q/3,   p² = |Q − m I|²/6,   cos 3φ = det(Q − m I)/(2 p³)
+/// ```
+fn lowest_value(q: &Mat3) -> f64 {
+    let mean = q.trace() / 3.0;
+    let deviator = q - mean * Mat3::identity();
+    let p = (deviator.norm_squared() / 6.0).sqrt();
+    if p == 0.0 {
+        return mean;
+    }
+    let cosine = (deviator.determinant() / (2.0 * p * p * p)).clamp(-1.0, 1.0);
+    mean + 2.0 * p * libm::cos((libm::acos(cosine) + 2.0 * std::f64::consts::PI) / 3.0)
 }
 
 /// Directions spread evenly over the half sphere `z > 0`, on a spiral of the golden angle.
