@@ -21,7 +21,7 @@ fn driven(described: &Drive) -> DriveOutcome {
 #[test]
 fn every_material_of_the_library_holds_its_golden_values() {
     let files: Vec<_> = library().iter().filter(|file| file.library == "materials").collect();
-    assert!(files.len() >= 35, "the library is found");
+    assert!(files.len() >= 36, "the library is found");
     for file in files {
         let document = resolved(file.name, file.text, &[]);
         assert_eq!(document.materials[0].name, file.name, "imports look for the file of a material's name");
@@ -30,13 +30,11 @@ fn every_material_of_the_library_holds_its_golden_values() {
             let outcome = driven(described);
             assert!(outcome.failure.is_none(), "{}: {:?}", described.name, outcome.failure);
             assert!(outcome.report.expectations.len() >= 2, "{}", described.name);
+            // The one law that is an integral has the error of its rule, written in its file.
+            let bound = if file.name == "dispersed_fibres_artery" { 1e-4 } else { 1e-7 };
             for verdict in &outcome.report.expectations {
                 assert!(verdict.holds, "{}: {} ({})", described.name, verdict.text, verdict.note);
-                assert!(
-                    verdict.bound <= 1.1e-7 && verdict.text.contains("within 1e-5 %"),
-                    "{}",
-                    verdict.text
-                );
+                assert!(verdict.bound <= 1.001 * bound && verdict.unit.is_empty(), "{}", verdict.text);
             }
         }
     }
