@@ -14,6 +14,7 @@ mod outline;
 mod particles;
 mod planar;
 mod prism;
+mod relation;
 mod shape;
 mod stability;
 mod stencil;

@@ -1,16 +1,14 @@
 //! `body` and `symmetry`.
 
 use super::super::blocks::block_name;
-use super::super::evaluate::{Evaluator, Required, Scope};
 use super::super::file::Reported;
 use super::super::members::{Members, duplicate};
-use super::super::model::{Body, Coordinate, SymmetryPlane};
+use super::super::model::{Body, SymmetryPlane};
 use super::super::words::{BODY, SYMMETRY};
+use super::shapes::shape;
 use super::stage::Stage;
-use crate::discretisation::Shape;
 use crate::schema::nearest;
-use crate::syntax::{Argument, Block, Code, ExprId, ExprKind};
-use crate::tensor::Vec3;
+use crate::syntax::{Block, Code, ExprKind};
 use crate::unit::{Dimension, Quantity};
 use std::rc::Rc;
 
@@ -142,110 +140,19 @@ impl Stage<'_> {
         for (axis, word) in ["x", "y", "z"].into_iter().enumerate() {
             if planes.contains(&word) {
                 let at = 0.5 * (low[axis] + high[axis]);
+                if let Some(body) = self.scene.bodies.iter().find(|body| !body.shape.is_symmetric(axis, at)) {
+                    let message = format!(
+                        "`{}` is not symmetric about the plane {word} = {}",
+                        body.name,
+                        Quantity::new(at, Dimension::LENGTH)
+                    );
+                    let span = site.file.span(site.id);
+                    let label = "through the centre of the bodies";
+                    return Err(self.mistakes.report(&site.file, Code::Conflict, span, message, label, None));
+                }
                 self.scene.symmetry[axis] = Some(SymmetryPlane { at, place: file.place(&block.kind.span) });
             }
         }
         Ok(())
     }
-}
-
-/// `box(lx, ly, lz, centre = [x, y, z])`.
-fn shape(
-    evaluator: &mut Evaluator<Coordinate>,
-    scope: &dyn Scope<Coordinate>,
-    id: ExprId,
-) -> Result<Shape, Reported> {
-    let file = Rc::clone(scope.file());
-    let expr = file.tree.expr(id);
-    match &expr.kind {
-        ExprKind::Call { function, arguments } if function.text == "box" => {
-            block(evaluator, scope, id, arguments)
-        }
-        ExprKind::Call { function, .. } => {
-            let message = format!("there is no shape `{}`", function.text);
-            let help = Some("write `box(lx, ly, lz)`".into());
-            Err(evaluator.mistakes.report(
-                &file,
-                Code::UnknownFunction,
-                function.span.clone(),
-                message,
-                "",
-                help,
-            ))
-        }
-        _ => Err(evaluator.wrong_form(
-            &file,
-            &expr.span,
-            "this",
-            "a shape is required, `box(10 mm, 3 mm, 0.5 mm)`",
-        )),
-    }
-}
-
-fn block(
-    evaluator: &mut Evaluator<Coordinate>,
-    scope: &dyn Scope<Coordinate>,
-    id: ExprId,
-    arguments: &[Argument],
-) -> Result<Shape, Reported> {
-    let file = Rc::clone(scope.file());
-    let mut edges = Vec::new();
-    let mut centre = None;
-    for argument in arguments {
-        match argument.name.as_ref().map(|path| &path.parts[0]) {
-            None => {
-                let required = Required { name: "box", dimension: Dimension::LENGTH };
-                edges.push(
-                    evaluator.constant(scope, argument.value, required).map(|edge| (edge, argument.value)),
-                );
-            }
-            Some(name) if name.text == "centre" => {
-                let required = Required { name: "centre", dimension: Dimension::LENGTH };
-                centre = Some(evaluator.constant_vector(scope, argument.value, required));
-            }
-            Some(name) => {
-                let message = format!("`box` has no argument `{}`", name.text);
-                let help = Some("write `centre = [x, y, z]`".into());
-                return Err(evaluator.mistakes.report(
-                    &file,
-                    Code::UnknownArgument,
-                    name.span.clone(),
-                    message,
-                    "",
-                    help,
-                ));
-            }
-        }
-    }
-    let edges: Vec<(f64, ExprId)> = edges.into_iter().collect::<Result<_, _>>()?;
-    let centre = centre.transpose()?;
-    let [x, y, z] = edges.as_slice() else {
-        let message = format!("`box` takes three lengths, but {} are given", edges.len());
-        let help = Some("write `box(10 mm, 3 mm, 0.5 mm)` with the lengths that are meant".into());
-        return Err(evaluator.mistakes.report(&file, Code::WrongForm, file.span(id), message, "", help));
-    };
-    for (edge, id) in [x, y, z] {
-        if *edge <= 0.0 {
-            let message = format!(
-                "an edge of a box must be > 0, but it is {}",
-                Quantity::new(*edge, Dimension::LENGTH)
-            );
-            return Err(evaluator.mistakes.report(
-                &file,
-                Code::ParameterOutOfRange,
-                file.span(*id),
-                message,
-                "",
-                None,
-            ));
-        }
-    }
-    let size = Vec3::new(x.0, y.0, z.0);
-    Ok(match centre {
-        Some([x, y, z]) => {
-            let centre = Vec3::new(x, y, z);
-            Shape::Box { min: centre - 0.5 * size, max: centre + 0.5 * size }
-        }
-        None => Shape::Box { min: Vec3::zeros(), max: size },
-    })
 }

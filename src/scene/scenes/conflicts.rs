@@ -20,10 +20,7 @@ impl Stage<'_> {
                 }
                 let shape = &self.scene.bodies[later.region.body].shape;
                 let same = later.region.face == earlier.region.face;
-                let normals =
-                    (shape.face_normal(&later.region.face), shape.face_normal(&earlier.region.face));
-                let (Some(a), Some(b)) = normals else { continue };
-                if !same && a.dot(&b).abs() > 0.5 {
+                if !same && !shape.faces_meet(&later.region.face, &earlier.region.face) {
                     continue;
                 }
                 let clash =

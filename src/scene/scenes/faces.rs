@@ -110,7 +110,10 @@ impl Bodies<'_> {
     }
 
     fn example_face(&self) -> Option<String> {
-        self.names.first().map(|body| format!("write `{}.xmax`", body.text))
+        let body = self.scene.bodies.first()?;
+        let faces = body.shape.face_names();
+        let face = faces.iter().find(|face| face.ends_with("max")).or(faces.first())?;
+        Some(format!("write `{}.{face}`", body.name))
     }
 
     pub(super) fn body_index(
@@ -169,7 +172,8 @@ impl Bodies<'_> {
                 body.text, face.text
             );
             let span = body.span.start..face.span.end;
-            let help = Some(format!("write `{}.{axis}max`", body.text));
+            let other = format!("{axis}max");
+            let help = names.contains(&other.as_str()).then(|| format!("write `{}.{other}`", body.text));
             return Err(mistakes.report(file, Code::UnknownFace, span, message, "mirrored", help));
         }
         Ok(Region { body: index, face: face.text.clone() })

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod conflicts;
+mod dimensions;
 mod expectations;
 mod faces;
 mod loads;
@@ -14,6 +15,7 @@ mod records;
 mod run;
 mod samples;
 mod scope;
+mod shapes;
 mod stage;
 mod supports;
 mod tables;

@@ -115,8 +115,12 @@ impl Reader<'_, '_, '_> {
             _ => {}
         }
         run.cfl = self.value("cfl", Dimension::NUMBER, (0.0, 10.0), false).unwrap_or(run.cfl);
-        if self.choice("kernel") == Some("cubic_spline") {
-            run.kernel = Kernel::CubicSpline;
+        match self.choice("kernel") {
+            Some("wendland_c2") => run.kernel = Kernel::WendlandC2,
+            Some("cubic_spline") => run.kernel = Kernel::CubicSpline,
+            Some("quintic_spline") => run.kernel = Kernel::QuinticSpline,
+            Some("quadratic") => run.kernel = Kernel::Quadratic,
+            _ => {}
         }
         run.smoothing =
             self.value("smoothing", Dimension::NUMBER, (0.75, 3.0), false).unwrap_or(run.smoothing);

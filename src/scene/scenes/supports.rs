@@ -6,7 +6,7 @@ use super::super::model::{Coordinate, Prescribed, Region};
 use super::super::words::{HOLD, PULL, SLIDE};
 use super::stage::{Stage, heading, zero};
 use crate::expression::{Node, Tape};
-use crate::syntax::Block;
+use crate::syntax::{Block, Code};
 use crate::unit::Dimension;
 use std::rc::Rc;
 
@@ -28,7 +28,7 @@ impl Stage<'_> {
             None => Ok(zero()),
         };
         let region = region?;
-        let displacement = self.along_normal(&region, &normal?, None)?;
+        let displacement = self.along_normal(block, &region, &normal?, None)?;
         self.prescribe(block, region, displacement);
         Ok(())
     }
@@ -47,7 +47,7 @@ impl Stage<'_> {
             .and_then(|site| self.choice(&site, &PULL, "grip"));
         let (region, displacement, grip) = (region?, displacement?, grip?);
         let tangential = (grip == "rigid").then(zero);
-        let displacement = self.along_normal(&region, &displacement, tangential)?;
+        let displacement = self.along_normal(block, &region, &displacement, tangential)?;
         self.prescribe(block, region, displacement);
         Ok(())
     }
@@ -60,12 +60,20 @@ impl Stage<'_> {
 
     /// Components of a displacement along the outward normal of a face; the others are as given.
     fn along_normal(
-        &self,
+        &mut self,
+        block: &Block,
         region: &Region,
         along: &Tape<Coordinate>,
         tangential: Option<Tape<Coordinate>>,
     ) -> Result<[Option<Tape<Coordinate>>; 3], Reported> {
-        let normal = self.scene.bodies[region.body].shape.face_normal(&region.face).ok_or(Reported)?;
+        let body = &self.scene.bodies[region.body];
+        let Some(normal) = body.shape.face_normal(&region.face) else {
+            let face = format!("{}.{}", body.name, region.face);
+            let message = format!("`{}` acts along one normal, but `{face}` has many", block.kind.text);
+            let help = Some(format!("write `hold {face}` or name a plane face"));
+            let (file, span) = (Rc::clone(&self.file), heading(block));
+            return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "not plane", help));
+        };
         Ok([0, 1, 2].map(|axis| match normal[axis] {
             n if n > 0.5 => Some(along.clone()),
             n if n < -0.5 => Some(negated(along)),

@@ -13,7 +13,7 @@ pub(in crate::scene) static BODY: Declaration = Declaration {
             name: "shape",
             kind: Kind::Shape,
             presence: Presence::Required("shape = box(10 mm, 3 mm, 0.5 mm)"),
-            doc: "The region of the whole body; box(lx, ly, lz) reaches from the origin to (lx, ly, lz) unless `centre` is given.",
+            doc: "The region of the whole body; `a + b` is all of both (they end together), `a - b` is a without b, which reaches through it and leaves the face `hole`.",
         },
         Parameter {
             name: "spacing",

@@ -8,6 +8,7 @@ const PLACE: &str = "in functions of place and time";
 const RECORD: &str = "in `record`";
 const FIELD: &str = "field of at(…), max(…) and min(…) in `record`";
 const EXPECT: &str = "in `expect`";
+const SHAPE: &str = "in `shape`";
 
 const fn word(word: &'static str, form: &'static str, context: &'static str, doc: &'static str) -> Word {
     Word { word, form, doc, context }
@@ -76,6 +77,34 @@ pub(in crate::scene) static PLACE_WORDS: &[Word] = &[
         "ramp(a -> b, over = T)",
         PLACE,
         "From a to b in the time T with no velocity and no acceleration at either end, then b; with `shape = linear` at constant velocity.",
+    ),
+];
+
+/// Shapes of bodies.
+pub(in crate::scene) static SHAPES: &[Word] = &[
+    word(
+        "box",
+        "box(lx, ly, lz)",
+        SHAPE,
+        "Edges along the axes, from the origin to (lx, ly, lz) unless `centre = [x, y, z]` is given. Faces: xmin to zmax.",
+    ),
+    word(
+        "cylinder",
+        "cylinder(radius = 2 m, height = 1 m)",
+        SHAPE,
+        "Circular, along z unless `axis = x` or `y`; stands on the origin unless `centre` is given. Faces: zmin, zmax, side.",
+    ),
+    word(
+        "ring",
+        "ring(count = 4, radius = 1.3 m, start = 45 deg, of = cylinder(radius = 0.3 m, height = 1 m))",
+        SHAPE,
+        "Copies of a cylinder evenly spaced on a circle about its centre, the first at the angle `start`.",
+    ),
+    word(
+        "dumbbell",
+        "dumbbell(standard = astm_d412_die_c, thickness = 2.25 mm)",
+        SHAPE,
+        "Tensile specimen, long in x and flat on z = 0, middle at the origin unless `centre` is given. The die is gauge_length = 33 mm, gauge_width = 6 mm, tab_width = 25 mm, inner_radius = 25 mm, outer_radius = 14 mm; what is written beside it replaces it, and without a standard all five are required. Each tab is tab_length = 0 mm long. Faces: xmin, xmax, zmin, zmax, edge.",
     ),
 ];
 

@@ -16,7 +16,7 @@ use crate::schema::{Declaration, Vocabulary};
 
 pub(super) use body::{BODY, SYMMETRY};
 pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
-pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES};
+pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, PULL, SLIDE, START, TRACTION};
 pub(super) use observe::{FRAMES, PLOT, RECORD};
@@ -57,6 +57,7 @@ static VOCABULARY: Vocabulary = Vocabulary {
         FUNCTIONS,
         ENERGY_WORDS,
         PLACE_WORDS,
+        SHAPES,
         PROBES,
         FIELD_WORDS,
         SAMPLES,

@@ -33,6 +33,11 @@ const INTEGRATORS: &[Choice] = &[
 const KERNELS: &[Choice] = &[
     Choice { word: "wendland_c2", doc: "Wendland's C2 function of support 2 h" },
     Choice { word: "cubic_spline", doc: "the cubic B-spline of support 2 h" },
+    Choice { word: "quintic_spline", doc: "the quintic B-spline of support 3 h" },
+    Choice {
+        word: "quadratic",
+        doc: "the parabola of support 2 h, whose slope does not vanish at the centre",
+    },
 ];
 
 const STATES: &[Choice] = &[
@@ -103,7 +108,7 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
             name: "smoothing",
             kind: Kind::Quantity("number"),
             presence: Presence::Default("1.01"),
-            doc: "Smoothing length as a multiple of the spacing; the kernel reaches twice as far.",
+            doc: "Smoothing length as a multiple of the spacing; the kernel reaches two or three times as far.",
         },
         Parameter {
             name: "integration_consistency",
