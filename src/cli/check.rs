@@ -37,7 +37,7 @@ pub fn check(options: &CheckOptions) -> Exit {
         }
     }
     if options.json {
-        println!("{:#}", Value::Array(documents));
+        say!("{:#}", Value::Array(documents));
     }
     exit
 }
@@ -68,15 +68,12 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
     }
     if input.mistakes.is_empty() {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
-        println!("{}: no mistakes", input.name);
-        println!(
-            "  materials  {}",
-            names(input.document.materials.iter().map(|m| m.name.as_str()).collect())
-        );
-        println!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
-        println!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
+        say!("{}: no mistakes", input.name);
+        say!("  materials  {}", names(input.document.materials.iter().map(|m| m.name.as_str()).collect()));
+        say!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
+        say!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
         for audit in audits {
-            print!("\n{audit}");
+            say_on!("\n{audit}");
         }
     } else {
         eprintln!("{}: {}", input.name, count(input.mistakes.len()));

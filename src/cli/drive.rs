@@ -46,7 +46,7 @@ pub(super) fn run_drive(options: &RunOptions, input: &Input, described: &Drive, 
 }
 
 fn print_summary(name: &str, report: &DriveReport, folder: &Path) {
-    println!(
+    say!(
         "drive {name}: {} points, {} iterations in {:.1} ms, largest residual {:.1e} Pa",
         report.points,
         report.iterations,
@@ -54,5 +54,5 @@ fn print_summary(name: &str, report: &DriveReport, folder: &Path) {
         report.largest_residual
     );
     print_verdicts(&report.expectations);
-    println!("  written to {}", folder.display());
+    say!("  written to {}", folder.display());
 }

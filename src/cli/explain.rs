@@ -8,7 +8,7 @@ use crate::schema;
 /// Prints what a word of the language means.
 pub fn explain(options: &ExplainOptions) -> Exit {
     if let Some(text) = schema::explain(vocabulary(), &options.word) {
-        print!("{text}");
+        say_on!("{text}");
         return Exit::Fine;
     }
     let words = vocabulary().all_words().map(|word| word.word);

@@ -28,7 +28,7 @@ pub fn format(options: &FmtOptions) -> Exit {
             }
             Ok(text) if text == source.text => {}
             Ok(_) if options.check => {
-                println!("{}: not in the standard form", source.name);
+                say!("{}: not in the standard form", source.name);
                 if exit == Exit::Fine {
                     exit = Exit::Failed;
                 }

@@ -3,6 +3,22 @@
 //! Owns the terminal: the only place that reads arguments and prints. Everything it does is a call
 //! of the layers above.
 
+/// Prints a line; a reader that went away (`tissue … | head`) is no error.
+macro_rules! say {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stdout(), $($text)*);
+    }};
+}
+
+/// Prints without a line break, as [`say`].
+macro_rules! say_on {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = write!(std::io::stdout(), $($text)*);
+    }};
+}
+
 mod arguments;
 mod check;
 mod drive;

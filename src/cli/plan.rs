@@ -18,13 +18,13 @@ fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
     let input = read_or_explain(&options.file, &options.overrides)?;
     for scene in scenes(&input, options.scene.as_deref())? {
         let plan = Plan::new(scene);
-        print!("{plan}");
+        say_on!("{plan}");
         if options.cost {
             let cost = Cost::measure(scene, &plan).map_err(|cause| {
                 eprintln!("error: scene `{}`: {cause}", scene.name);
                 Exit::WrongInput
             })?;
-            print!("{cost}");
+            say_on!("{cost}");
         }
     }
     Ok(())

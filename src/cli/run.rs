@@ -124,7 +124,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
 }
 
 fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {
-    println!(
+    say!(
         "scene {}: {} particles, {} steps to t = {:.4e} s in {:.1} s, {:.2e} particle updates a second",
         scene.name,
         report.particles,
@@ -134,23 +134,24 @@ fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {
         report.updates_per_second
     );
     print_verdicts(&report.expectations);
-    println!("  written to {}", folder.display());
+    say!("  written to {}", folder.display());
 }
 
 /// The verdict on every `expect` line, with its numbers.
 pub(super) fn print_verdicts(verdicts: &[ExpectationVerdict]) {
     for verdict in verdicts {
         let mark = if verdict.holds { "holds" } else { "FAILS" };
-        println!("  {mark}  {}", verdict.text);
+        say!("  {mark}  {}", verdict.text);
         match verdict.measured {
             Some(measured) => {
                 let unit = if verdict.unit.is_empty() { String::new() } else { format!(" {}", verdict.unit) };
-                println!(
+                say!(
                     "         measured {measured:.3e}{unit}, bound {:.3e}{unit}; {}",
-                    verdict.bound, verdict.note
+                    verdict.bound,
+                    verdict.note
                 );
             }
-            None => println!("         {}", verdict.note),
+            None => say!("         {}", verdict.note),
         }
     }
 }

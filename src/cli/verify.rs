@@ -47,7 +47,7 @@ pub fn verify(options: &VerifyOptions) -> Exit {
         return Exit::Failed;
     }
     let report = Report::from_verdicts(verdicts);
-    print!("{}", report.to_text());
+    say_on!("{}", report.to_text());
     if let Some(path) = &options.json
         && let Err(cause) = write_atomic(path, report.to_json().as_bytes())
     {

@@ -89,12 +89,12 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     let mut failure = None;
     loop {
         let time = simulation.time();
-        let is_due = |schedule: &Schedule| schedule.is_due(time);
-        if records.iter().any(|r| is_due(&r.schedule)) || frames.iter().any(|f| is_due(&f.schedule)) {
-            if let Err(cause) = simulation.synchronise() {
-                failure = Some(RunError::Solve(cause));
-                break;
-            }
+        let mut schedules = records.iter().map(|r| &r.schedule).chain(frames.iter().map(|f| &f.schedule));
+        if schedules.any(|schedule| schedule.is_due(time))
+            && let Err(cause) = simulation.synchronise()
+        {
+            failure = Some(RunError::Solve(cause));
+            break;
         }
         match records.iter_mut().try_for_each(|recording| recording.sample(&simulation, &observer, time)) {
             Ok(()) => {}
