@@ -40,6 +40,15 @@ fn every_material_of_the_library_holds_its_golden_values() {
     }
 }
 
+#[test]
+fn verify_holds_every_expect_line_of_the_library_with_a_control() {
+    let verdicts = tissue::verify::library_verdicts().expect("the library resolves");
+    assert!(verdicts.len() >= 74, "two lines a drive: {}", verdicts.len());
+    for verdict in verdicts {
+        assert!(verdict.holds && verdict.fault().is_none(), "{}: {:?}", verdict.claim, verdict.fault());
+    }
+}
+
 /// The control: where the volume may change, stress or width miss their values tenfold.
 #[test]
 fn the_golden_values_are_missed_where_the_volume_may_change() {

@@ -15,7 +15,7 @@ pub use audit::MaterialAudit;
 pub use claim::{Claim, Topic, Verdict};
 pub use claims::quick;
 pub use report::Report;
-pub use scenes::{benchmark, scene_verdicts};
+pub use scenes::{benchmark, library_verdicts, scene_verdicts};
 
 /// The quick claims of some topics.
 pub fn claims_of(topics: &[Topic]) -> Vec<Claim> {

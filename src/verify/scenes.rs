@@ -54,6 +54,16 @@ pub fn scene_verdicts() -> Result<Vec<Verdict>, String> {
             verdicts.extend(verdicts_of(path, scene)?);
         }
     }
+    verdicts.extend(library_verdicts()?);
+    Ok(verdicts)
+}
+
+/// Runs every drive of the standard library and judges its expect lines.
+///
+/// # Errors
+/// If a file does not resolve or its drive cannot be set up.
+pub fn library_verdicts() -> Result<Vec<Verdict>, String> {
+    let mut verdicts = Vec::new();
     for file in library() {
         let path = format!("specs/{}/{}.tissue", file.library, file.name);
         for drive in &document(&path, file.text.into(), &[])?.drives {
