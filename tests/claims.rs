@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use tissue::verify::claim::Fault;
-use tissue::verify::{Claim, Report, Verdict, quick};
+use tissue::verify::{Claim, Report, Verdict, full, quick};
 
 /// Measured once for all tests of this file.
 static REPORT: LazyLock<Report> = LazyLock::new(|| Report::of(&quick()));
@@ -15,7 +15,7 @@ fn every_quick_claim_holds_and_its_control_fails() {
 
 #[test]
 fn every_claim_is_a_sentence_with_a_source_a_reason_and_a_bound() {
-    for Claim { claim, source, because, bound, .. } in quick() {
+    for Claim { claim, source, because, bound, .. } in quick().into_iter().chain(full()) {
         for text in [claim, source, because] {
             assert!(!text.is_empty() && !text.ends_with('.') && text.trim() == text, "`{text}` of `{claim}`");
         }
@@ -26,7 +26,7 @@ fn every_claim_is_a_sentence_with_a_source_a_reason_and_a_bound() {
 
 #[test]
 fn no_two_claims_say_the_same() {
-    let mut sentences: Vec<&str> = quick().iter().map(|claim| claim.claim).collect();
+    let mut sentences: Vec<&str> = quick().iter().chain(&full()).map(|claim| claim.claim).collect();
     let all = sentences.len();
     sentences.sort_unstable();
     sentences.dedup();

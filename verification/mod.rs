@@ -30,3 +30,9 @@ pub fn quick() -> Vec<Claim> {
     ];
     groups.concat()
 }
+
+/// The claims that take minutes, for `tissue verify --full`.
+pub fn full() -> Vec<Claim> {
+    let groups: [&[Claim]; 1] = [benchmarks::FULL];
+    groups.concat()
+}

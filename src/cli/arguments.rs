@@ -94,6 +94,9 @@ pub struct VerifyOptions {
     /// (convergence and stability: no claim yet) [default: all]
     #[arg(value_name = "TOPIC")]
     pub topics: Vec<String>,
+    /// Measure the claims that take minutes as well
+    #[arg(long)]
+    pub full: bool,
     /// Write the verdicts as JSON as well
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,

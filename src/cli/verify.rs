@@ -3,7 +3,7 @@
 use super::Exit;
 use super::arguments::VerifyOptions;
 use crate::output::file::write_atomic;
-use crate::verify::{Report, Topic, claims_of, scene_verdicts};
+use crate::verify::{Report, Tier, Topic, claims_of, scene_verdicts};
 
 /// Holds claims and expect lines against their bounds.
 pub fn verify(options: &VerifyOptions) -> Exit {
@@ -28,12 +28,13 @@ pub fn verify(options: &VerifyOptions) -> Exit {
         eprintln!("error: {} exists; name another file, or replace it with --overwrite", path.display());
         return Exit::WrongInput;
     }
+    let tier = if options.full { Tier::Full } else { Tier::Quick };
     let mut verdicts = Vec::new();
-    for claim in claims_of(&topics) {
+    for claim in claims_of(&topics, tier) {
         verdicts.push(claim.judge());
     }
     if topics.contains(&Topic::Benchmarks) {
-        match scene_verdicts() {
+        match scene_verdicts(tier) {
             Ok(list) => verdicts.extend(list),
             Err(cause) => {
                 eprintln!("error: {cause}");

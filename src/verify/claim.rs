@@ -69,6 +69,15 @@ impl fmt::Display for Topic {
     }
 }
 
+/// When a claim is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Tier {
+    /// Always: seconds.
+    Quick,
+    /// With `--full` only: minutes.
+    Full,
+}
+
 /// One sentence that is true of this program, with the means to find out.
 ///
 /// The claim holds where `measure() <= bound` and the same measure of a deliberately wrong variant

@@ -12,12 +12,17 @@ mod scenes;
 mod claims;
 
 pub use audit::MaterialAudit;
-pub use claim::{Claim, Topic, Verdict};
-pub use claims::quick;
+pub use claim::{Claim, Tier, Topic, Verdict};
+pub use claims::{full, quick};
 pub use report::Report;
 pub use scenes::{benchmark, library_verdicts, scene_verdicts};
 
-/// The quick claims of some topics.
-pub fn claims_of(topics: &[Topic]) -> Vec<Claim> {
-    quick().into_iter().filter(|claim| topics.contains(&claim.topic)).collect()
+/// The claims of some topics, those that take minutes only with [`Tier::Full`].
+pub fn claims_of(topics: &[Topic], tier: Tier) -> Vec<Claim> {
+    let mut claims = quick();
+    if tier == Tier::Full {
+        claims.extend(full());
+    }
+    claims.retain(|claim| topics.contains(&claim.topic));
+    claims
 }

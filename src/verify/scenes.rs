@@ -3,8 +3,8 @@
 //! Owns the running of embedded files in memory: what `tissue verify benchmarks` holds is what
 //! `tissue run` judges in the same file.
 
-use super::claim::{CONTROL_FACTOR, Topic, Verdict};
-use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES, WRONG};
+use super::claim::{CONTROL_FACTOR, Tier, Topic, Verdict};
+use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
 use crate::output::report::ExpectationVerdict;
 use crate::output::{Provenance, Table};
 use crate::plan::Plan;
@@ -17,8 +17,8 @@ struct Embedded;
 
 impl Loader for Embedded {
     fn load(&self, path: &str) -> Result<String, LoadError> {
-        let found = FILES.iter().find(|file| file.path == path);
-        found.map(|file| file.text.to_string()).ok_or(LoadError::Missing)
+        let found = FILES.iter().find(|(known, _)| *known == path);
+        found.map(|(_, text)| text.to_string()).ok_or(LoadError::Missing)
     }
 }
 
@@ -39,19 +39,21 @@ fn document(path: &str, text: String, overrides: &[(String, String)]) -> Result<
     Err(mistakes.iter().map(|mistake| mistake.render()).collect::<Vec<_>>().join("\n"))
 }
 
-/// Runs every benchmark scene and every drive of the library, and judges their expect lines.
+/// Runs every benchmark scene of a tier and below, and every drive of the library, and judges their expect
+/// lines.
 ///
 /// # Errors
 /// If a file does not resolve or cannot be set up. A run that stops early is a verdict that fails.
-pub fn scene_verdicts() -> Result<Vec<Verdict>, String> {
+pub fn scene_verdicts(tier: Tier) -> Result<Vec<Verdict>, String> {
     let mut verdicts = Vec::new();
-    for BenchmarkFile { path, text } in SCENES {
-        let document = document(path, (*text).into(), &[])?;
+    for BenchmarkFile { path, wrong, .. } in SCENES.iter().filter(|file| file.tier <= tier) {
+        let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
+        let document = document(path, text, &[])?;
         for drive in &document.drives {
             verdicts.extend(verdicts_of_drive(path, drive)?);
         }
         for scene in &document.scenes {
-            verdicts.extend(verdicts_of(path, scene)?);
+            verdicts.extend(verdicts_of(path, scene, wrong)?);
         }
     }
     verdicts.extend(library_verdicts()?);
@@ -73,7 +75,7 @@ pub fn library_verdicts() -> Result<Vec<Verdict>, String> {
     Ok(verdicts)
 }
 
-fn verdicts_of(path: &str, scene: &Scene) -> Result<Vec<Verdict>, String> {
+fn verdicts_of(path: &str, scene: &Scene, changes: &[(&str, &str)]) -> Result<Vec<Verdict>, String> {
     let plan = Plan::new(scene);
     let provenance = Provenance::new(path, "", &scene.name);
     let job = Job { scene, plan: &plan, provenance, folder: None };
@@ -81,22 +83,34 @@ fn verdicts_of(path: &str, scene: &Scene) -> Result<Vec<Verdict>, String> {
     let (report, stopped) = (&outcome.report, outcome.failure.is_some());
     let mut verdicts =
         judged(&scene.name, &scene.expectations, &report.expectations, &outcome.tables, stopped);
-    let wrong = wrong_variant(path, &scene.name)?;
-    for (verdict, wrong) in verdicts.iter_mut().zip(wrong) {
+    let results = wrong_variant(path, &scene.name, changes)?;
+    for (verdict, wrong) in verdicts.iter_mut().zip(results) {
         // a line the wrong scene breaks shows what it can tell; others hold of any material
         if let Some(measured) = wrong.measured.filter(|measured| *measured > CONTROL_FACTOR * verdict.bound) {
             verdict.control = measured;
             verdict.because =
-                "the tolerance the file states; the control is the scene with other fibres on a coarse lattice".into();
+                format!("the tolerance the file states; the control is the scene with {}", listed(changes));
         }
     }
     Ok(verdicts)
 }
 
-/// The expect lines of a scene judged on a run of its wrong variant.
-fn wrong_variant(path: &str, name: &str) -> Result<Vec<ExpectationVerdict>, String> {
+/// Changed values as they would be written: `a = 1 mm, b = 2`.
+fn listed(changes: &[(&str, &str)]) -> String {
+    changes.iter().map(|(key, value)| format!("{key} = {value}")).collect::<Vec<_>>().join(", ")
+}
+
+/// The expect lines of a scene judged on a run of its wrong variant; none where nothing is changed.
+fn wrong_variant(
+    path: &str,
+    name: &str,
+    changes: &[(&str, &str)],
+) -> Result<Vec<ExpectationVerdict>, String> {
+    if changes.is_empty() {
+        return Ok(Vec::new());
+    }
     let overrides: Vec<(String, String)> =
-        WRONG.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+        changes.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
     let scenes = benchmark(path, &overrides)?;
     let Some(scene) = scenes.iter().find(|scene| scene.name == name) else { return Ok(Vec::new()) };
     let plan = Plan::new(scene);

@@ -1,34 +1,33 @@
 //! Claims about cases with an independent reference: the scenes of `specs/` that carry expect lines.
 
 use super::Claim;
+use crate::verify::claim::Tier;
 
 /// The claims of this directory, in the order of the report; the scenes bring their own.
 pub(crate) const CLAIMS: &[Claim] = &[];
 
-/// A file compiled into the program.
+/// Claims that take minutes.
+pub(crate) const FULL: &[Claim] = &[];
+
+/// A file whose scenes' expect lines are held.
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct BenchmarkFile {
     /// Its path in the project.
     pub(crate) path: &'static str,
-    /// Its text.
-    pub(crate) text: &'static str,
+    /// When it is run.
+    pub(crate) tier: Tier,
+    /// Values that make its scenes wrong ones, for the controls. Lines that hold of the wrong scene as
+    /// well are displaced by twenty tolerances instead.
+    pub(crate) wrong: &'static [(&'static str, &'static str)],
 }
 
-/// A file of the project, embedded.
-macro_rules! embedded {
-    ($path:literal) => {
-        BenchmarkFile { path: $path, text: include_str!(concat!("../../", $path)) }
-    };
-}
+/// Files whose expect lines are held.
+pub(crate) const SCENES: &[BenchmarkFile] = &[BenchmarkFile {
+    path: "specs/artery/axial.tissue",
+    tier: Tier::Quick,
+    // fibres without dispersion, on a coarse lattice
+    wrong: &[("adventitia.kappa", "0"), ("strip.spacing", "0.25 mm")],
+}];
 
-/// Values that make every scene a wrong one, for the controls: fibres without dispersion, on a coarse
-/// lattice. Lines that hold of any material are displaced by twenty tolerances instead.
-pub(crate) const WRONG: &[(&str, &str)] = &[("adventitia.kappa", "0"), ("strip.spacing", "0.25 mm")];
-
-/// Scenes whose expect lines are held.
-pub(crate) const SCENES: &[BenchmarkFile] = &[embedded!("specs/artery/axial.tissue")];
-
-/// Everything the scenes read.
-pub(crate) const FILES: &[BenchmarkFile] = &[
-    embedded!("specs/artery/axial.tissue"),
-    embedded!("verification/references/fe_artery_axial_k0.226_D1e-7_Q2P1_28x10x3g.csv"),
-];
+/// Every scene file and every reference table of the project, by path.
+pub(crate) const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/files.rs"));
