@@ -5,7 +5,7 @@
 
 use crate::energy::Scratch;
 use crate::scene::SymmetryPlane;
-use crate::solver::{BodyState, CHUNK};
+use crate::solver::{BodyState, CHUNK, hourglass};
 use crate::tensor::Vec3;
 
 /// Totals of all bodies.
@@ -19,7 +19,7 @@ pub struct Totals {
     pub angular_momentum: Vec3,
     /// `Σ V_a ½ |p_a|²/ρR`, J.
     pub kinetic_energy: f64,
-    /// `Σ V_a ψ_a`, J.
+    /// `Σ V_a ψ_a`, and the energy of the hourglass stiffness where there is one, J.
     pub strain_energy: f64,
     /// `Σ V_a J_a`, m³.
     pub volume: f64,
@@ -32,6 +32,7 @@ pub fn totals(bodies: &[BodyState], symmetry: &[Option<SymmetryPlane>; 3]) -> To
     let mut density = vec![0.0; CHUNK];
     let centre = Vec3::from_fn(|axis, _| symmetry[axis].as_ref().map_or(0.0, |plane| plane.at));
     for body in bodies {
+        part.strain_energy += hourglass::energy(body);
         for (a, (v, x)) in body.v.iter().zip(&body.x).enumerate() {
             let mass = body.density * body.particles.volume[a];
             let (velocity, position) = (v.vector(), x.vector());

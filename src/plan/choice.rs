@@ -83,6 +83,7 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     );
     add("pressure_wave_weight", run.pressure_wave_weight.to_string());
     add("shear_wave_weight", run.shear_wave_weight.to_string());
+    add("hourglass_stiffness", run.hourglass_stiffness.to_string());
     add("volume_dissipation", on_off(run.volume_dissipation));
     add(
         "wave_speed_every",

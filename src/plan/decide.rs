@@ -232,6 +232,15 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
             "off: D(J) has no restoring force and lets J drift from det F".into()
         },
     );
+    add(
+        Pass::Hourglass,
+        run.hourglass_stiffness > 0.0,
+        if run.hourglass_stiffness > 0.0 {
+            "even and odd nodes may not stretch differently".into()
+        } else {
+            "no stiffness against what no gradient sees; D(p) only damps it".into()
+        },
+    );
     add(Pass::ExternalForce, !scene.loads.is_empty(), loads_reason(scene));
     add(
         Pass::AffineDamping,

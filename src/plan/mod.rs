@@ -52,6 +52,8 @@ pub enum Pass {
     MomentumDissipation,
     /// D(J) (34, 36, 38).
     VolumeDissipation,
+    /// Stiffness against hourglass modes.
+    Hourglass,
     /// Tractions and body forces (31).
     ExternalForce,
     /// Damping relative to the affine motion.

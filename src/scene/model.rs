@@ -283,6 +283,8 @@ pub struct Run {
     pub pressure_wave_weight: f64,
     /// Weight of `c_s` in `S_p`.
     pub shear_wave_weight: f64,
+    /// Stiffness against hourglass modes, in shear moduli at rest; 0 for none.
+    pub hourglass_stiffness: f64,
     /// D(J) on or off.
     pub volume_dissipation: bool,
     /// Steps between two refreshes of the wave speed.

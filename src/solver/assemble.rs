@@ -9,6 +9,7 @@ use super::constraint::Support;
 use super::dissipation::Speeds;
 use super::error::SolveError;
 use super::force::Packet;
+use super::hourglass::{Hourglass, stiffest};
 use super::links::Links;
 use super::loads::{ExternalForces, evaluate};
 use super::quad::{Columns, Quad};
@@ -59,6 +60,10 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     let has_external = plan.carries(Field::ExternalForce);
     let velocity = initial_velocity(scene, index, &particles, &mut scratch);
     let launch_speed = libm::sqrt(velocity.iter().map(|v| v.dot(*v)).fold(0.0, f64::max));
+    let hourglass = plan.runs(Pass::Hourglass).then(|| {
+        let modulus = material.density * rest.shear * rest.shear;
+        Hourglass::new(&links, scene.run.hourglass_stiffness * modulus)
+    });
     let mut state = BodyState {
         name: body.name.clone(),
         inverse_volume: particles.volume.iter().map(|volume| 1.0 / volume).collect(),
@@ -72,6 +77,8 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         blocks: blocks(count, plan, saves),
         packets: vec![Packet::default(); count],
         area_map: if plan.runs(Pass::VolumeDissipation) { vec![Columns::ZERO; count] } else { Vec::new() },
+        hourglass,
+        hourglass_rate: 0.0,
         acceleration: vec![Quad::ZERO; count],
         external: if has_external { vec![Quad::ZERO; count] } else { Vec::new() },
         supports,
@@ -85,6 +92,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     if has_external {
         external.evaluate(&state.particles.position, 0.0, &mut state.external, &mut scratch);
     }
+    state.hourglass_rate = stiffest(&mut state);
     starts_at_rest(scene, index, &state)?;
     is_symmetric(scene, &state)?;
     Ok(Assembled { state, affine, external })

@@ -5,6 +5,7 @@
 use super::constraint::Support;
 use super::dissipation::Speeds;
 use super::force::Packet;
+use super::hourglass::Hourglass;
 use super::links::Links;
 use super::quad::{Columns, Quad};
 use crate::discretisation::Particles;
@@ -138,6 +139,10 @@ pub struct BodyState {
     pub packets: Vec<Packet>,
     /// Area maps as neighbours read them, empty without volume dissipation.
     pub area_map: Vec<Columns>,
+    /// Pair penalty against hourglass modes, where the scene asks for it.
+    pub hourglass: Option<Hourglass>,
+    /// Square of the fastest frequency the penalty adds, 1/s².
+    pub hourglass_rate: f64,
     /// `dp/dt / ρR` of the last evaluation, m/s².
     pub acceleration: Vec<Quad>,
     /// External force per reference volume, empty without loads, N/m³.
@@ -172,9 +177,10 @@ impl BodyState {
         self.blocks[particle / CHUNK].j.get(particle % CHUNK).copied()
     }
 
-    /// First Piola–Kirchhoff stress of a particle at the last evaluation, Pa.
+    /// First Piola–Kirchhoff stress of a particle at the last evaluation, that of its energy alone, Pa.
     pub fn stress(&self, particle: usize) -> Mat3 {
-        self.packets[particle].stress.matrix()
+        let packet = &self.packets[particle].stress;
+        self.hourglass.as_ref().map_or(packet, |hourglass| &hourglass.constitutive[particle]).matrix()
     }
 
     /// Number of particles.
@@ -202,6 +208,7 @@ impl BodyState {
             + self.packets.len() * size_of::<Packet>()
             + self.area_map.len() * size_of::<Columns>()
             + self.inverse_volume.len() * size_of::<f64>()
+            + self.hourglass.as_ref().map_or(0, Hourglass::bytes)
             + self.links.bytes()
     }
 }

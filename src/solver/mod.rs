@@ -11,6 +11,7 @@ mod diagnosis;
 pub mod dissipation;
 mod error;
 pub mod force;
+pub mod hourglass;
 pub mod kinematics;
 mod links;
 mod loads;

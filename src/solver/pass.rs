@@ -189,8 +189,12 @@ pub struct ForceTerms {
 
 /// Second pass: `dp/dt / ρR` of every particle, and D(J).
 pub fn forces(body: &mut BodyState, terms: ForceTerms) {
-    let BodyState { links, x, v, inverse_volume, packets, acceleration, external, density, .. } = body;
-    let chunk = ForceChunk { links, x, v, inverse_volume, packets, external, density: *density, terms };
+    let BodyState {
+        links, x, v, inverse_volume, packets, acceleration, external, density, hourglass, ..
+    } = body;
+    let hourglass = hourglass.as_ref().map_or(&[][..], |hourglass| &hourglass.force[..]);
+    let density = *density;
+    let chunk = ForceChunk { links, x, v, inverse_volume, packets, external, hourglass, density, terms };
     acceleration
         .par_chunks_mut(CHUNK)
         .enumerate()
@@ -214,6 +218,7 @@ struct ForceChunk<'a> {
     inverse_volume: &'a [f64],
     packets: &'a [Packet],
     external: &'a [Quad],
+    hourglass: &'a [Quad],
     density: f64,
     terms: ForceTerms,
 }
@@ -253,6 +258,9 @@ impl ForceChunk<'_> {
             };
             if let Some(&external) = self.external.get(a) {
                 *out += external;
+            }
+            if let Some(&hourglass) = self.hourglass.get(a) {
+                *out += hourglass * inverse[a];
             }
             *out = *out * (1.0 / self.density);
         }

@@ -9,6 +9,7 @@ use super::body::{Block, BodyState, CHUNK};
 use super::diagnosis;
 use super::dissipation::Speeds;
 use super::error::SolveError;
+use super::hourglass::hourglass;
 use super::loads::ExternalForces;
 use super::pass::{ForceTerms, Workspaces, advance_maps, forces, maps_and_stress, wave_speeds};
 use super::quad::Quad;
@@ -119,6 +120,12 @@ impl Simulation {
     /// The bodies.
     pub fn bodies(&self) -> &[BodyState] {
         &self.bodies
+    }
+
+    /// The bodies, for tests that put them into a state of their own.
+    #[cfg(test)]
+    pub(super) fn bodies_mut(&mut self) -> &mut Vec<BodyState> {
+        &mut self.bodies
     }
 
     /// Number of particles.
@@ -232,6 +239,7 @@ impl Simulation {
         found.map_or(Ok(()), Err)?;
         for index in 0..self.bodies.len() {
             let terms = self.force_terms(index);
+            hourglass(&mut self.bodies[index]);
             forces(&mut self.bodies[index], terms);
         }
         if self.damping > 0.0 {
@@ -323,7 +331,7 @@ impl Simulation {
             }
             let (speed, particle) = body.fastest;
             let rate = body.dissipation_rate + self.damping;
-            let required = stable_step(self.run.cfl, body.elastic_length, speed, rate);
+            let required = stable_step(self.run.cfl, body.elastic_length, speed, body.hourglass_rate, rate);
             let allowed = SMALLEST_STEP * self.run.until;
             if required.is_nan() || required < allowed {
                 let position = body.particles.position[particle];

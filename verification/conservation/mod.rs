@@ -5,4 +5,5 @@ use super::Claim;
 mod momentum;
 
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] = &[momentum::FREE_BODY, momentum::FREE_BODY_HEUN];
+pub(crate) const CLAIMS: &[Claim] =
+    &[momentum::FREE_BODY, momentum::FREE_BODY_HEUN, momentum::FREE_BODY_HOURGLASS];

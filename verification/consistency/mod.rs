@@ -6,5 +6,11 @@ mod gradient;
 mod traction;
 
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] =
-    &[gradient::VERLET, gradient::HEUN, gradient::TRANSLATION, gradient::ROTATION, traction::PATCH];
+pub(crate) const CLAIMS: &[Claim] = &[
+    gradient::VERLET,
+    gradient::HEUN,
+    gradient::TRANSLATION,
+    gradient::ROTATION,
+    traction::PATCH,
+    traction::PATCH_HOURGLASS,
+];

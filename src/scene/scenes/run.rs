@@ -27,6 +27,7 @@ pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
         momentum_dissipation: if seed { InterfaceStates::Constant } else { InterfaceStates::Linear },
         pressure_wave_weight: 1.0,
         shear_wave_weight: 1.0,
+        hourglass_stiffness: 0.0,
         volume_dissipation: seed,
         wave_speed_every: if seed { 0 } else { 10 },
         written: Vec::new(),
@@ -140,6 +141,8 @@ impl Reader<'_, '_, '_> {
         run.pressure_wave_weight = pressure.unwrap_or(run.pressure_wave_weight);
         let shear = self.value("shear_wave_weight", Dimension::NUMBER, weight, true);
         run.shear_wave_weight = shear.unwrap_or(run.shear_wave_weight);
+        let hourglass = self.value("hourglass_stiffness", Dimension::NUMBER, (0.0, 1e6), true);
+        run.hourglass_stiffness = hourglass.unwrap_or(run.hourglass_stiffness);
         match self.choice("volume_dissipation") {
             Some("on") => run.volume_dissipation = true,
             Some("off") => run.volume_dissipation = false,

@@ -135,6 +135,12 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
             doc: "Factor of the shear wave speed in the momentum dissipation.",
         },
         Parameter {
+            name: "hourglass_stiffness",
+            kind: Kind::Quantity("number"),
+            presence: Presence::Default("0"),
+            doc: "Stiffness, in shear moduli at rest, against displacements that no particle's gradient sees.",
+        },
+        Parameter {
             name: "volume_dissipation",
             kind: Kind::Choice(SWITCH),
             presence: Presence::ByScheme { seed: "on", improved: "off" },
