@@ -191,6 +191,42 @@ fn values_given_on_the_command_line_replace_those_written() {
 }
 
 #[test]
+fn a_body_may_give_the_parameters_of_its_material_other_values() {
+    let text = "tissue 1
+import std.energies { neo_hooke, vol_quadratic }
+material gel {
+  param mu : pressure > 0 = 10 kPa
+  energy   = neo_hooke(mu = mu) + vol_quadratic(K = 1 MPa)
+  density  = 1000 kg/m^3
+}
+scene three {
+  body a { shape = box(1 m, 1 m, 1 m)  spacing = 0.5 m  material = gel(mu = 2 kPa) }
+  body b { shape = box(1 m, 1 m, 1 m)  spacing = 0.5 m  material = gel }
+  body c { shape = box(1 m, 1 m, 1 m)  spacing = 0.5 m  material = gel(mu = 2 kPa) }
+  run { until = 1 s }
+}
+drive pulled {
+  material = gel(mu = 3 kPa)
+  path = uniaxial(x, stretch = 1 .. 1.1, steps = 1)
+  record test { P = P.xx }
+  expect final(test.P) > 0 kPa
+}
+";
+    let moduli = |document: &Document| {
+        let of = |material: &Material| material.parameters[0].value;
+        let scene = &document.scenes[0];
+        let bodies = scene.bodies.iter().map(|body| of(&scene.materials[body.material]));
+        bodies.chain([of(&document.drives[0].material), of(&document.materials[0])]).collect::<Vec<_>>()
+    };
+    let document = whole(resolve_with("three.tissue", text, &[]));
+    assert_eq!(moduli(&document), [2e3, 10e3, 2e3, 3e3, 10e3]);
+    assert_eq!(document.scenes[0].materials.len(), 2);
+    // the command line has the last word
+    let document = whole(resolve_with("three.tissue", text, &[("gel.mu", "5 kPa")]));
+    assert_eq!(moduli(&document), [5e3; 5]);
+}
+
+#[test]
 fn a_wrong_value_on_the_command_line_is_a_mistake() {
     let text = std::fs::read_to_string("tests/fixtures/axial.tissue").expect("the spec is in the repository");
     let told = |path: &str, value: &str| {

@@ -6,6 +6,7 @@ mod arguments;
 mod directions;
 mod rest;
 mod term;
+mod used;
 
 use super::energies::EnergyDef;
 use super::evaluate::{
@@ -24,6 +25,13 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 pub(super) use term::Energies;
+pub(super) use used::{Declared, Materials, used};
+
+/// Values in place of those written in a material: of the command line, then of the use.
+struct Instead<'a> {
+    overrides: &'a Overrides,
+    given: &'a BTreeMap<String, Site>,
+}
 
 /// A parameter of the material itself.
 struct Own {
@@ -32,7 +40,7 @@ struct Own {
     dimension: Dimension,
 }
 
-/// Reads a material.
+/// Reads a material, its parameters with the values `given` for them in place of those written.
 ///
 /// # Errors
 /// [`Reported`] if anything is wrong with it.
@@ -43,11 +51,12 @@ pub(super) fn read(
     name: &Name,
     energies: &Energies,
     overrides: &Overrides,
+    given: &BTreeMap<String, Site>,
 ) -> Result<Material, Reported> {
     let before = mistakes.len();
     let members = Members::read_with(mistakes, file, &MATERIAL, block, overrides, &[&name.text]);
     let lets = Lets::new(members.lets.clone());
-    let own = parameters(mistakes, file, &members, &lets, overrides, &name.text);
+    let own = parameters(mistakes, file, &members, &lets, &Instead { overrides, given }, &name.text);
     let frame = frame(mistakes, file, &members);
     let density = density(mistakes, file, block, &members, &lets, &own);
     let directions = directions::read(mistakes, file, &members, &lets, &own, &frame);
@@ -92,13 +101,13 @@ pub(super) fn read(
     Ok(material)
 }
 
-/// The parameters of the material itself, with those given on the command line.
+/// The parameters of the material itself, with what stands instead of their values.
 fn parameters(
     mistakes: &mut Mistakes,
     file: &Rc<File>,
     members: &Members,
     lets: &Lets,
-    overrides: &Overrides,
+    instead: &Instead,
     material: &str,
 ) -> Vec<Own> {
     let mut own: Vec<Own> = Vec::new();
@@ -107,7 +116,7 @@ fn parameters(
             own.push(Own { name: entry.name.text.clone(), value: f64::NAN, dimension: Dimension::NUMBER });
             continue;
         };
-        let value = parameter_value(mistakes, file, entry, &parameter, (lets, &own), overrides, material);
+        let value = parameter_value(mistakes, file, entry, &parameter, (lets, &own), instead, material);
         // A parameter without a value stays known, so that its uses are no further mistakes.
         let value = value.unwrap_or(f64::NAN);
         own.push(Own { name: parameter.name.text.clone(), value, dimension: parameter.dimension });
@@ -121,7 +130,7 @@ fn parameter_value(
     entry: &ParamEntry,
     parameter: &ParameterDef,
     (lets, own): (&Lets, &[Own]),
-    overrides: &Overrides,
+    instead: &Instead,
     material: &str,
 ) -> Result<f64, Reported> {
     let name = &parameter.name.text;
@@ -129,7 +138,7 @@ fn parameter_value(
         let message = "an array can be a parameter of an energy, not of a material";
         return Err(mistakes.report(file, Code::WrongForm, count.span.clone(), message, "", None));
     }
-    let given = overrides.find(&[material], name);
+    let given = instead.overrides.find(&[material], name).or_else(|| instead.given.get(name).cloned());
     let written = entry.default.map(|id| Site { file: Rc::clone(file), id });
     let Some(site) = given.or(written) else {
         let example = super::evaluate::example_with_unit("1", parameter.dimension);

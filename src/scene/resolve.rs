@@ -24,9 +24,8 @@ pub fn resolve(
     let module = session.module(&file);
     let mut document = Document::default();
     for name in &module.own_materials {
-        document
-            .materials
-            .extend(module.materials.get(name).cloned().flatten().map(|material| (*material).clone()));
+        let declared = module.materials.get(name).and_then(Option::as_ref);
+        document.materials.extend(declared.map(|declared| declared.material.as_ref().clone()));
     }
     for index in &module.rest {
         let Item::Block(block) = &file.tree.items[*index] else { continue };

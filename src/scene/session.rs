@@ -8,17 +8,13 @@ use super::energies;
 use super::file::{File, Mistakes, Reported};
 use super::library::{LIBRARIES, library};
 use super::loader::{Loader, relative_to};
-use super::materials::{self, Energies};
+use super::materials::{self, Declared, Energies, Materials};
 use super::members::{Overrides, duplicate};
-use super::model::Material;
 use crate::schema::nearest;
 use crate::syntax::{Block, Code, Import, ImportFrom, Item, Name, Path, Source, Span};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// A material, `None` where its declaration is wrong.
-pub(super) type Materials = BTreeMap<String, Option<Rc<Material>>>;
 
 /// What a file knows by name.
 #[derive(Debug, Default)]
@@ -103,10 +99,19 @@ impl<'a> Session<'a> {
         }
         // After all energies, wherever they stand.
         for (block, name) in materials {
+            let (energies, written) = (&module.energies, BTreeMap::new());
+            let overrides = &self.overrides;
             let material =
-                materials::read(&mut self.mistakes, file, block, &name, &module.energies, &self.overrides);
+                materials::read(&mut self.mistakes, file, block, &name, energies, overrides, &written);
             module.own_materials.push(name.text.clone());
-            module.materials.insert(name.text, material.ok().map(Rc::new));
+            let declared = material.ok().map(|material| Declared {
+                material: Rc::new(material),
+                file: Rc::clone(file),
+                block: block.clone(),
+                name: name.clone(),
+                energies: module.energies.clone(),
+            });
+            module.materials.insert(name.text, declared.map(Rc::new));
         }
     }
 

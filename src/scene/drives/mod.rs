@@ -10,15 +10,15 @@ mod target;
 
 use super::blocks::unknown_block;
 use super::file::{File, Reported};
-use super::members::{Members, Site};
+use super::materials::used;
+use super::members::Members;
 use super::model::{Coordinate, Material};
 use super::model_drive::{Drive, Path, PathControl, PointRecord, VolumeChange};
 use super::scenes::Stage;
 use super::session::{Module, Session};
 use super::words::DRIVE;
 use crate::expression::{Node, Tape};
-use crate::schema::nearest;
-use crate::syntax::{Block, Code, ExprKind, Name};
+use crate::syntax::{Block, Code, Name};
 use std::rc::Rc;
 
 /// Reads a drive.
@@ -37,7 +37,8 @@ pub(super) fn read(
         Members::read_with(&mut session.mistakes, file, &DRIVE, block, &session.overrides, &[&name.text]);
     let mut stage = Stage::new(session, file, name, module, &members);
     let required = |stage: &mut Stage, key| members.required(stage.mistakes, file, &DRIVE, block, key);
-    let material = required(&mut stage, "material").and_then(|site| material(&mut stage, &site));
+    let material = required(&mut stage, "material")
+        .and_then(|site| used(stage.mistakes, stage.overrides, stage.materials, &site));
     let volume = match members.written("volume") {
         Some(site) => stage.choice(site, &DRIVE, "volume").map(volume),
         None => Ok(VolumeChange::Compressible),
@@ -85,28 +86,6 @@ pub(super) fn read(
 
 fn volume(word: &str) -> VolumeChange {
     if word == "incompressible" { VolumeChange::Incompressible } else { VolumeChange::Compressible }
-}
-
-fn material(stage: &mut Stage, site: &Site) -> Result<Rc<Material>, Reported> {
-    let (file, span) = (&site.file, site.file.span(site.id));
-    let names: Vec<&str> = stage.materials.keys().map(String::as_str).collect();
-    let ExprKind::Name(name) = &file.tree.expr(site.id).kind else {
-        let message = "`material` is the name of a material";
-        return Err(stage.mistakes.report(file, Code::WrongForm, span, message, "", None));
-    };
-    match stage.materials.get(name) {
-        // `None`: what is wrong with the material has been reported there.
-        Some(material) => material.clone().ok_or(Reported),
-        None => {
-            let help = match nearest(name, names.iter().copied()) {
-                Some(meant) => Some(format!("write `{meant}`")),
-                None if names.is_empty() => None,
-                None => Some(format!("the materials are {}", names.join(", "))),
-            };
-            let message = format!("there is no material `{name}`");
-            Err(stage.mistakes.report(file, Code::UnknownName, span, message, "not declared", help))
-        }
-    }
 }
 
 /// The directions the law reads, which a point without a place must know.

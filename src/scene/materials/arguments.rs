@@ -1,4 +1,4 @@
-//! The arguments an energy is given, by name.
+//! The arguments an energy or a material is given, by name.
 
 use super::*;
 use crate::schema::nearest;
@@ -33,18 +33,12 @@ impl Arguments {
 
     /// Sorts the arguments of a call; those that are not named, not known or given twice are reported.
     pub(super) fn read(
-        evaluator: &mut Evaluator<Leaf>,
+        mistakes: &mut Mistakes,
         file: &Rc<File>,
         function: &Name,
         arguments: &[Argument],
-        energy: &EnergyDef,
+        known: &[&str],
     ) -> Self {
-        let known: Vec<&str> = energy
-            .parameters
-            .iter()
-            .map(|parameter| parameter.name.text.as_str())
-            .chain(energy.directions.iter().map(|direction| direction.text.as_str()))
-            .collect();
         let mut sorted = Self { list: Vec::new(), meant: Vec::new(), unnamed: false, sound: true };
         for argument in arguments {
             let Some(name) = argument.name.as_ref().and_then(|path| path.parts.first()) else {
@@ -52,7 +46,7 @@ impl Arguments {
                 let written = file.expression(argument.value);
                 let help = known.first().map(|first| format!("write `{first} = {written}`"));
                 let span = file.span(argument.value);
-                evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help);
+                mistakes.report(file, Code::WrongForm, span, message, "", help);
                 (sorted.sound, sorted.unnamed) = (false, true);
                 continue;
             };
@@ -61,14 +55,15 @@ impl Arguments {
                 let meant = nearest(&name.text, known.iter().copied());
                 let help = match meant {
                     Some(meant) => format!("write `{meant}`"),
+                    None if known.is_empty() => "it has none".into(),
                     None => format!("its parameters are {}", known.join(", ")),
                 };
                 sorted.meant.extend(meant.map(String::from));
                 let span = name.span.clone();
-                evaluator.mistakes.report(file, Code::UnknownArgument, span, message, "", Some(help));
+                mistakes.report(file, Code::UnknownArgument, span, message, "", Some(help));
                 sorted.sound = false;
             } else if let Some(first) = sorted.get(&name.text) {
-                super::super::members::duplicate(evaluator.mistakes, file, name, &first.name);
+                super::super::members::duplicate(mistakes, file, name, &first.name);
                 sorted.sound = false;
             } else {
                 let site = Site { file: Rc::clone(file), id: argument.value };
@@ -76,6 +71,11 @@ impl Arguments {
             }
         }
         sorted
+    }
+
+    /// The values by name.
+    pub(super) fn values(self) -> BTreeMap<String, Site> {
+        self.list.into_iter().map(|given| (given.name.text, given.site)).collect()
     }
 
     /// Puts values given on the command line in the place of those written: `adventitia.goh.C`.

@@ -110,7 +110,13 @@ impl<'a> Sum<'a> {
         };
         // What is wrong with its declaration has been reported there.
         let energy = energy.clone().ok_or(Reported)?;
-        let mut given = Arguments::read(evaluator, file, function, arguments, &energy);
+        let known: Vec<&str> = energy
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.text.as_str())
+            .chain(energy.directions.iter().map(|direction| direction.text.as_str()))
+            .collect();
+        let mut given = Arguments::read(evaluator.mistakes, file, function, arguments, &known);
         let prefix = self.prefix(&function.text);
         given.replace(&energy, self.overrides, &[self.material, &prefix]);
         if energy.fibres.is_some() && self.fibres == 0 {

@@ -2,13 +2,13 @@
 
 use super::super::blocks::block_name;
 use super::super::file::Reported;
+use super::super::materials::used;
 use super::super::members::{Members, duplicate};
 use super::super::model::{Body, SymmetryPlane};
 use super::super::words::{BODY, SYMMETRY};
 use super::shapes::shape;
 use super::stage::Stage;
-use crate::schema::nearest;
-use crate::syntax::{Block, Code, ExprKind};
+use crate::syntax::{Block, Code};
 use crate::unit::{Dimension, Quantity};
 use std::rc::Rc;
 
@@ -94,34 +94,8 @@ impl Stage<'_> {
 
     /// The index of a material of the scene; it is added at its first use.
     fn material(&mut self, site: &super::super::members::Site) -> Result<usize, Reported> {
-        let ExprKind::Name(name) = &site.file.tree.expr(site.id).kind else {
-            let message = "`material` is the name of a material";
-            return Err(self.mistakes.report(
-                &site.file,
-                Code::WrongForm,
-                site.file.span(site.id),
-                message,
-                "",
-                None,
-            ));
-        };
-        let Some(material) = self.materials.get(name) else {
-            let help = nearest(name, self.materials.keys().map(String::as_str))
-                .map(|meant| format!("write `{meant}`"));
-            let message = format!("there is no material `{name}`");
-            let span = site.file.span(site.id);
-            return Err(self.mistakes.report(
-                &site.file,
-                Code::UnknownName,
-                span,
-                message,
-                "not declared",
-                help,
-            ));
-        };
-        // What is wrong with its declaration has been reported there.
-        let material = material.as_ref().ok_or(Reported)?;
-        let known = self.scene.materials.iter().position(|known| known.name == *name);
+        let material = used(self.mistakes, self.overrides, self.materials, site)?;
+        let known = self.scene.materials.iter().position(|known| *known == *material);
         Ok(known.unwrap_or_else(|| {
             self.scene.materials.push(material.as_ref().clone());
             self.scene.materials.len() - 1

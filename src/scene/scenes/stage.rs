@@ -3,9 +3,10 @@
 use super::super::evaluate::{Elsewhere, Evaluator, Lets, Required, Scope};
 use super::super::file::{File, Mistakes, Reported};
 use super::super::loader::Loader;
+use super::super::materials::Materials;
 use super::super::members::{Members, Overrides, Site, duplicate};
 use super::super::model::*;
-use super::super::session::{Materials, Module, Session};
+use super::super::session::{Module, Session};
 use super::records::TIME;
 use super::scope::SceneScope;
 use super::tables::Tables;

@@ -25,7 +25,7 @@ pub(in crate::scene) static BODY: Declaration = Declaration {
             name: "material",
             kind: Kind::Material,
             presence: Presence::Required("material = gel"),
-            doc: "What it is made of.",
+            doc: "What it is made of; `gel(mu = 2 kPa)` with other values for parameters of the material itself.",
         },
         Parameter {
             name: "jitter",

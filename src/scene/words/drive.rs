@@ -19,7 +19,7 @@ pub(in crate::scene) static DRIVE: Declaration = Declaration {
             name: "material",
             kind: Kind::Material,
             presence: Presence::Required("material = gel"),
-            doc: "What it is made of.",
+            doc: "What it is made of; `gel(mu = 2 kPa)` with other values for parameters of the material itself.",
         },
         Parameter {
             name: "path",
