@@ -31,7 +31,10 @@ static ALLOCATOR: Counting = Counting;
 
 /// Allocations of 100 steps after 20 steps that warm up.
 fn allocations(choices: &[(&str, &str)]) -> u64 {
-    let name = "tests/scenes/strip.tissue";
+    allocations_of("tests/scenes/strip.tissue", choices)
+}
+
+fn allocations_of(name: &str, choices: &[(&str, &str)]) -> u64 {
     let text = std::fs::read_to_string(name).expect("the scene is there");
     let overrides: Vec<(String, String)> =
         choices.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
@@ -65,4 +68,6 @@ fn a_step_allocates_nothing() {
     assert_eq!(allocations(&[("run.integrator", "tvd_rk2"), ("run.cfl", "0.3")]), 0, "Runge-Kutta");
     let mixed = [("run.integrator", "tvd_rk2"), ("run.formulation", "pFHJ"), ("run.cfl", "0.3")];
     assert_eq!(allocations(&mixed), 0, "all four fields evolved");
+    let slow = [("cube.spacing", "1 m/3"), ("run.until", "1 s"), ("run.cfl", "0.1")];
+    assert_eq!(allocations_of("specs/manufactured/goh.tissue", &slow), 0, "an exact motion");
 }

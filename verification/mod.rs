@@ -9,6 +9,7 @@ use super::claim::Claim;
 pub(crate) mod benchmarks;
 mod conservation;
 mod consistency;
+mod convergence;
 mod discretisation;
 mod drive;
 mod energies;
@@ -24,6 +25,7 @@ pub fn quick() -> Vec<Claim> {
         discretisation::CLAIMS,
         conservation::CLAIMS,
         consistency::CLAIMS,
+        convergence::CLAIMS,
         drive::CLAIMS,
         benchmarks::CLAIMS,
         figures::CLAIMS,

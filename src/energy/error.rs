@@ -20,6 +20,8 @@ pub enum EnergyError {
         /// Index the energy reads; 0, 1 and 2 exist.
         index: u8,
     },
+    /// An exact motion is asked of an energy of principal stretches.
+    StretchOfMotion,
     /// The tangent is not finite at this state, so no wave speed exists.
     NonFiniteTangent {
         /// Volume map of the state.
@@ -42,6 +44,11 @@ impl fmt::Display for EnergyError {
             Self::NoSuchStretch { index } => {
                 write!(f, "the energy reads principal stretch {index}; 0, 1 and 2 exist")
             }
+            Self::StretchOfMotion => write!(
+                f,
+                "the body force of an exact motion cannot be derived from principal stretches; \
+                 write the energy in I1, I2, J and the invariants of directions"
+            ),
             Self::NonFiniteTangent { jacobian } => {
                 write!(f, "the tangent of the energy is not finite at J = {jacobian:.6e}")
             }

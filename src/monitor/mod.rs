@@ -5,12 +5,16 @@
 
 mod field;
 mod involution;
+mod motion;
 mod point;
 mod probe;
+mod residual;
 mod totals;
 
 pub use field::{cauchy_stress, field_value, von_mises};
 pub use involution::{Involutions, involutions};
+pub use motion::{MotionErrors, motion_errors};
 pub use point::Interpolation;
 pub use probe::{Observer, ProbeError};
+pub use residual::{largest_residual, residual};
 pub use totals::{Totals, totals};

@@ -4,6 +4,7 @@
 
 use super::field::field_value;
 use super::involution::{Involutions, involutions};
+use super::motion::{MotionErrors, motion_errors};
 use super::point::Interpolation;
 use super::totals::{Totals, totals};
 use crate::expression::Tape;
@@ -59,6 +60,7 @@ pub struct Observer {
     prepared: Vec<(Probe, Prepared)>,
     needs_totals: bool,
     needs_involutions: bool,
+    needs_motion: bool,
 }
 
 /// What a probe reads.
@@ -85,6 +87,7 @@ impl Observer {
             prepared: Vec::new(),
             needs_totals: false,
             needs_involutions: false,
+            needs_motion: false,
         };
         for probe in tapes.flat_map(Tape::leaves) {
             if observer.prepared.iter().any(|(known, _)| known == probe) {
@@ -92,6 +95,7 @@ impl Observer {
             }
             observer.needs_totals |= reads_totals(probe);
             observer.needs_involutions |= reads_involutions(probe);
+            observer.needs_motion |= matches!(probe, Probe::MotionError(_));
             let prepared = prepare(scene, bodies, probe)?;
             observer.prepared.push((probe.clone(), prepared));
         }
@@ -107,8 +111,16 @@ impl Observer {
         let bodies = simulation.bodies();
         let sums = if self.needs_totals { totals(bodies, &self.symmetry) } else { Totals::default() };
         let maps = if self.needs_involutions { involutions(bodies) } else { Involutions::default() };
+        let gaps = if self.needs_motion {
+            motion_errors(bodies, simulation.time())
+        } else {
+            MotionErrors::default()
+        };
         let mut scratch = Vec::new();
-        let mut value = |probe: &Probe| self.value(probe, simulation, &sums, &maps);
+        let mut value = |probe: &Probe| match probe {
+            Probe::MotionError(field) => gaps.of(*field),
+            other => self.value(other, simulation, &sums, &maps),
+        };
         tapes.map(|tape| tape.evaluate(&mut value, &mut scratch)).collect()
     }
 
@@ -141,6 +153,7 @@ impl Observer {
             Probe::Momentum(axis) => sums.momentum[*axis as usize],
             Probe::AngularMomentum(axis) => sums.angular_momentum[*axis as usize],
             Probe::Volume => sums.volume,
+            Probe::MotionError(_) => f64::NAN,
             Probe::GradientError => maps.gradient,
             Probe::AreaMapError => maps.area_map,
             Probe::VolumeMapError => maps.volume_map,

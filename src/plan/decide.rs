@@ -156,12 +156,23 @@ fn fields(scene: &Scene, facts: &Facts) -> Vec<Decision<Field>> {
             None => "no direction depends on the place".into(),
         },
     );
-    add(Field::ExternalForce, !scene.loads.is_empty(), loads_reason(scene));
+    add(Field::ExternalForce, is_loaded(scene), loads_reason(scene));
     list
+}
+
+/// Whether anything but stresses acts on a particle.
+fn is_loaded(scene: &Scene) -> bool {
+    let exact = scene.motion.as_ref().is_some_and(|motion| motion.body_force || !motion.loaded.is_empty());
+    exact || !scene.loads.is_empty()
 }
 
 fn loads_reason(scene: &Scene) -> String {
     use crate::scene::Load;
+    if let Some(motion) = scene.motion.as_ref().filter(|_| is_loaded(scene)) {
+        let more = scene.loads.len();
+        let own = format!("the exact motion, {}", line(&motion.place));
+        return if more == 0 { own } else { format!("{own}, and {more} more") };
+    }
     match scene.loads.first() {
         None => "no body force and no traction in the scene".into(),
         Some(Load::Traction { place, .. } | Load::BodyForce { place, .. } | Load::Gravity { place, .. }) => {
@@ -241,7 +252,7 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
             "no stiffness against what no gradient sees; D(p) only damps it".into()
         },
     );
-    add(Pass::ExternalForce, !scene.loads.is_empty(), loads_reason(scene));
+    add(Pass::ExternalForce, is_loaded(scene), loads_reason(scene));
     add(
         Pass::AffineDamping,
         matches!(run.loading, Loading::QuasiStatic { .. }),

@@ -7,7 +7,7 @@ use super::error::RunError;
 use super::expect::judge_all;
 use super::schedule::Schedule;
 use super::snapshot::frame;
-use crate::monitor::{Observer, totals};
+use crate::monitor::{Observer, largest_residual, totals};
 use crate::output::file::write_atomic;
 use crate::output::report::{Choice, RunStatus, TotalChange};
 use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableError, TableWriter};
@@ -40,7 +40,10 @@ impl Job<'_> {
             provenance: self.provenance.clone(),
             plan: self.plan.to_string().lines().map(String::from).collect(),
             choices: self.plan.choices.iter().map(choice).collect(),
-            files: tables.chain(frames).collect(),
+            files: tables
+                .chain(self.scene.motion.iter().map(|_| "motion.csv".into()))
+                .chain(frames)
+                .collect(),
             ..RunReport::default()
         }
     }
@@ -85,6 +88,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         records.push(Recording::new(job, record)?);
     }
     let mut frames: Vec<Filming<'_>> = scene.frames.iter().map(|frames| Filming::new(job, frames)).collect();
+    let exact = motion_table(job, &simulation)?;
     let setup = clock.elapsed();
     let mut failure = None;
     loop {
@@ -123,7 +127,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     }
     let wall = (clock.elapsed() - setup).as_secs_f64();
     let after = totals(simulation.bodies(), &scene.symmetry);
-    let tables: Vec<Table> = records.into_iter().map(|recording| recording.table).collect();
+    let tables: Vec<Table> = records.into_iter().map(|recording| recording.table).chain(exact).collect();
     let expectations = judge_all(&scene.expectations, &tables);
     let status = match &failure {
         Some(cause) => RunStatus::Stopped { cause: cause.to_string() },
@@ -169,6 +173,24 @@ fn refuse_floods(scene: &Scene) -> Result<(), RunError> {
         }
     }
     Ok(())
+}
+
+/// The self-test of an exact motion: what it leaves of the momentum balance, as a table of one row.
+fn motion_table(job: &Job<'_>, simulation: &Simulation) -> Result<Option<Table>, RunError> {
+    if job.scene.motion.is_none() {
+        return Ok(None);
+    }
+    let text = "momentum balance by finite differences, relative to its terms";
+    let columns = vec![TableColumn::new("t", "s", "time"), TableColumn::new("residual", "", text)];
+    let residual = largest_residual(simulation.bodies(), job.scene.run.until);
+    let rows = vec![vec![0.0, residual]];
+    let table = Table { name: "motion".into(), columns, rows, provenance: job.provenance.lines() };
+    if let Some(folder) = &job.folder {
+        let path = folder.join("motion.csv");
+        let file = File::create(&path).map_err(|cause| RunError::Io { path, cause })?;
+        TableWriter::new(file, &table)?;
+    }
+    Ok(Some(table))
 }
 
 fn advance(

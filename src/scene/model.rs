@@ -98,6 +98,8 @@ pub struct Scene {
     pub loads: Vec<Load>,
     /// Initial velocity fields.
     pub starts: Vec<Start>,
+    /// An exact motion the bodies are to follow.
+    pub motion: Option<Motion>,
     /// Numerical choices.
     pub run: Run,
     /// Tables to write.
@@ -198,6 +200,19 @@ pub struct Start {
     pub body: usize,
     /// Components, m/s.
     pub velocity: [Tape<Coordinate>; 3],
+}
+
+/// An exact motion: initial state, body force and boundary data follow from it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Where it is declared.
+    pub place: Place,
+    /// Components of `x(X, t)`, m.
+    pub position: [Tape<Coordinate>; 3],
+    /// Whether the body force `ρR ∂²x/∂t² − DIV P` acts.
+    pub body_force: bool,
+    /// Faces that carry the exact traction `P N`; what they are moved by stands among the prescribed.
+    pub loaded: Vec<Region>,
 }
 
 /// A set of numerical choices: the paper's or ours.
@@ -386,6 +401,8 @@ pub enum Probe {
     AngularMomentum(u8),
     /// `Σ V_a J_a`, m³.
     Volume,
+    /// Root mean square of the difference from the exact motion, weighted by volume, SI.
+    MotionError(MotionField),
     /// `max |F_a − Grad_h x|`.
     GradientError,
     /// `max |H_a − cof F_a|`.
@@ -396,6 +413,23 @@ pub enum Probe {
     CurlF,
     /// `max |DIV_h H|·dx`.
     DivH,
+}
+
+/// What of a state is compared with the exact motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MotionField {
+    /// Position, m.
+    Position,
+    /// Velocity, m/s.
+    Velocity,
+    /// Deformation gradient.
+    Gradient,
+    /// Area map, evolved or derived.
+    AreaMap,
+    /// Volume map, evolved or derived.
+    VolumeMap,
+    /// First Piola–Kirchhoff stress, Pa.
+    Stress,
 }
 
 /// A scalar field of the particles.

@@ -20,7 +20,9 @@ const ZERO: f64 = 1e-9;
 /// [`SolveError::Jump`] with the line of the word.
 pub fn starts_at_rest(scene: &Scene, index: usize, body: &BodyState) -> Result<(), SolveError> {
     let mut scratch = Vec::new();
-    for prescribed in scene.prescribed.iter().filter(|prescribed| prescribed.region.body == index) {
+    let given = scene.prescribed.iter().filter(|prescribed| prescribed.region.body == index);
+    // an exact motion brings its own initial state
+    for prescribed in given.filter(|prescribed| prescribed.word != super::exact::WORD) {
         let Some(face) = body.particles.face(&prescribed.region.face) else { continue };
         for tape in prescribed.displacement.iter().flatten() {
             for &node in &face.nodes {

@@ -8,17 +8,20 @@ use super::body::{Block, BodyState, CHUNK, DirectionField};
 use super::constraint::Support;
 use super::dissipation::Speeds;
 use super::error::SolveError;
+use super::exact::{Exact, Target};
 use super::force::Packet;
 use super::hourglass::{Hourglass, stiffest};
+use super::kinematics::velocity_gradient;
 use super::links::Links;
 use super::loads::{ExternalForces, evaluate};
+use super::pass::Workspaces;
 use super::quad::{Columns, Quad};
 use super::time_step::elastic_length;
 use crate::discretisation::{Particles, Stencils};
-use crate::energy::Law;
+use crate::energy::{Law, MotionState};
 use crate::plan::{Field, Pass, Plan};
 use crate::scene::{Body, Integrator, Material, Scene};
-use crate::tensor::{Mat3, Vec3};
+use crate::tensor::{Mat3, Vec3, cofactor, volume_map};
 
 /// A body with what acts on it.
 #[derive(Debug)]
@@ -58,7 +61,12 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     let external = ExternalForces::new(&scene.loads, index, &particles, material.density);
     let saves = scene.run.integrator == Integrator::TvdRk2;
     let has_external = plan.carries(Field::ExternalForce);
-    let velocity = initial_velocity(scene, index, &particles, &mut scratch);
+    let exact = Exact::new(scene, index, material, &particles, &directions)?;
+    let start = exact.as_ref().map(|exact| exact.states(&particles.position, 0.0));
+    let velocity = match &start {
+        Some(states) => states.iter().map(|state| Quad::new(&state.velocity)).collect(),
+        None => initial_velocity(scene, index, &particles, &mut scratch),
+    };
     let launch_speed = libm::sqrt(velocity.iter().map(|v| v.dot(*v)).fold(0.0, f64::max));
     let hourglass = plan.runs(Pass::Hourglass).then(|| {
         let modulus = material.density * rest.shear * rest.shear;
@@ -81,6 +89,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         hourglass_rate: 0.0,
         acceleration: vec![Quad::ZERO; count],
         external: if has_external { vec![Quad::ZERO; count] } else { Vec::new() },
+        exact,
         supports,
         elastic_length: elastic_length(&stencils, &particles.volume, particles.spacing),
         dissipation_rate: 0.0,
@@ -89,13 +98,42 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         fastest: (rest.pressure, 0),
         particles,
     };
+    state.hourglass_rate = stiffest(&mut state);
+    if let Some(start) = &start {
+        deform(&mut state, start);
+    }
     if has_external {
         external.evaluate(&state.particles.position, 0.0, &mut state.external, &mut scratch);
+        let BodyState { exact, law, particles, external, .. } = &mut state;
+        if let Some(exact) = exact {
+            let target = Target { law, reference: &particles.position, external };
+            exact.add_forces(target, 0.0, &Workspaces::new());
+        }
     }
-    state.hourglass_rate = stiffest(&mut state);
     starts_at_rest(scene, index, &state)?;
     is_symmetric(scene, &state)?;
     Ok(Assembled { state, affine, external })
+}
+
+/// Positions of a motion and their maps: `F = Grad_h x`, `H = cof F`, `J = det F`.
+///
+/// The discrete gradient and not the motion's own, so that F is the gradient of the positions from
+/// the first step on.
+fn deform(state: &mut BodyState, start: &[MotionState]) {
+    let BodyState { blocks, links, x, inverse_volume, .. } = state;
+    for (x, start) in x.iter_mut().zip(start) {
+        *x = Quad::new(&start.position);
+    }
+    for block in blocks {
+        for i in 0..block.f.len() {
+            let a = block.start + i;
+            let f = velocity_gradient(links, a, x, inverse_volume[a]).matrix();
+            block.f[i] = f;
+            let area_map = cofactor(&f);
+            block.j.iter_mut().skip(i).take(1).for_each(|j| *j = volume_map(&f, &area_map));
+            block.h.iter_mut().skip(i).take(1).for_each(|h| *h = area_map);
+        }
+    }
 }
 
 /// Nodes of the modelled part of a body.

@@ -4,6 +4,7 @@
 
 use super::constraint::Support;
 use super::dissipation::Speeds;
+use super::exact::Exact;
 use super::force::Packet;
 use super::hourglass::Hourglass;
 use super::links::Links;
@@ -73,6 +74,8 @@ pub struct Workspace {
     pub stress: Vec<Mat3>,
     /// Numbers of a chunk.
     pub numbers: Vec<f64>,
+    /// Vectors of a chunk.
+    pub vectors: Vec<Vec3>,
 }
 
 /// Unit directions of a body's material.
@@ -147,6 +150,8 @@ pub struct BodyState {
     pub acceleration: Vec<Quad>,
     /// External force per reference volume, empty without loads, N/m³.
     pub external: Vec<Quad>,
+    /// The exact motion it is to follow.
+    pub exact: Option<Exact>,
     /// Supports and planes of symmetry.
     pub supports: Vec<Support>,
     /// Wave speeds at rest.

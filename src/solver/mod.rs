@@ -10,6 +10,7 @@ mod constraint;
 mod diagnosis;
 pub mod dissipation;
 mod error;
+mod exact;
 pub mod force;
 pub mod hourglass;
 pub mod kinematics;

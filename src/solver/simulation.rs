@@ -9,6 +9,7 @@ use super::body::{Block, BodyState, CHUNK};
 use super::diagnosis;
 use super::dissipation::Speeds;
 use super::error::SolveError;
+use super::exact::Target;
 use super::hourglass::hourglass;
 use super::loads::ExternalForces;
 use super::pass::{ForceTerms, Workspaces, advance_maps, forces, maps_and_stress, wave_speeds};
@@ -87,6 +88,7 @@ impl Simulation {
         }
         simulation.last_step = simulation.stable_step;
         simulation.impose(simulation.stable_step);
+        simulation.meet_velocities();
         simulation.evaluate(0.0)?;
         simulation.rewind_supports();
         Ok(simulation)
@@ -173,7 +175,19 @@ impl Simulation {
         if self.run.integrator == Integrator::TvdRk2 && self.steps > 0 {
             self.evaluate(0.0)?;
         }
+        self.meet_velocities();
         Ok(())
+    }
+
+    /// Gives what an exact motion moves its velocity of now instead of the mean over the step.
+    ///
+    /// Nothing but a reader sees the difference: every stage imposes its own.
+    fn meet_velocities(&mut self) {
+        for body in &mut self.bodies {
+            if let Some(exact) = &mut body.exact {
+                exact.meet_velocities(&mut body.v, self.time);
+            }
+        }
     }
 
     /// Velocity Verlet: half a kick, a drift, forces, half a kick; synchronised at its end.
@@ -314,9 +328,13 @@ impl Simulation {
 
     fn evaluate_external(&mut self, time: f64) {
         for (body, external) in self.bodies.iter_mut().zip(&self.external) {
-            if external.varies_in_time && !body.external.is_empty() {
-                let BodyState { particles, external: out, .. } = body;
+            if (external.varies_in_time || body.exact.is_some()) && !body.external.is_empty() {
+                let BodyState { particles, external: out, exact, law, .. } = body;
                 external.evaluate(&particles.position, time, out, &mut self.scratch);
+                if let Some(exact) = exact {
+                    let target = Target { law, reference: &particles.position, external: out };
+                    exact.add_forces(target, time, &self.workspaces);
+                }
             }
         }
     }

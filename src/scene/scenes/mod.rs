@@ -9,6 +9,7 @@ mod dimensions;
 mod expectations;
 mod faces;
 mod loads;
+mod motions;
 mod plots;
 mod probes;
 mod records;
@@ -42,6 +43,7 @@ const ORDER: &[&str] = &[
     "gravity",
     "start",
     "run",
+    "motion",
     "record",
     "frames",
     "plot",
@@ -80,6 +82,7 @@ pub(super) fn read(
                 "gravity" => stage.gravity(inner),
                 "start" => stage.start(inner),
                 "run" => stage.run(inner),
+                "motion" => stage.motion(inner),
                 "record" => stage.record(inner),
                 "frames" => stage.frames(inner),
                 _ => stage.plot(inner),

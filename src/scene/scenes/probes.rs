@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Required, Scope, Value};
 use super::super::file::{File, Reported};
-use super::super::model::{Field, Probe};
+use super::super::model::{Field, MotionField, Probe};
 use super::super::words::{FIELD_WORDS, PROBES};
 use super::faces::Bodies;
 use crate::schema::nearest;
@@ -63,6 +63,7 @@ impl Scope<Probe> for ProbeScope<'_> {
             ("reaction", 1) => Some(self.reaction(evaluator, outer, arguments)),
             ("section_force", _) => Some(self.section_force(evaluator, outer, function, arguments)),
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
+            ("error", 1) => Some(self.error(evaluator, outer.file(), arguments)),
             ("max" | "min", 1) => {
                 Some(field(evaluator, outer.file(), arguments[0].value).map(|(field, dimension)| {
                     let probe =
@@ -207,6 +208,32 @@ impl ProbeScope<'_> {
             ));
         }
         Ok(vector(evaluator, Dimension::FORCE, |axis| Probe::Reaction { region: region.clone(), axis }))
+    }
+
+    /// `error(x)`: the distance from the exact motion.
+    fn error(&self, evaluator: &mut Evaluator<Probe>, file: &File, arguments: &[Argument]) -> Outcome {
+        let id = arguments[0].value;
+        let written = file.expression(id);
+        let known = [
+            ("x", MotionField::Position, Dimension::LENGTH),
+            ("v", MotionField::Velocity, Dimension::VELOCITY),
+            ("F", MotionField::Gradient, Dimension::NUMBER),
+            ("H", MotionField::AreaMap, Dimension::NUMBER),
+            ("J", MotionField::VolumeMap, Dimension::NUMBER),
+            ("P", MotionField::Stress, Dimension::PRESSURE),
+        ];
+        let Some((_, field, dimension)) = known.into_iter().find(|(word, ..)| *word == written) else {
+            let message = format!("an exact motion has no `{written}` to compare with");
+            let help = Some("write error(x), error(v), error(F), error(H), error(J) or error(P)".into());
+            return Err(evaluator.mistakes.report(file, Code::UnknownName, file.span(id), message, "", help));
+        };
+        if self.bodies.scene.motion.is_none() {
+            let message = "there is no exact motion to differ from";
+            let help = Some("write `motion { x = [ …, …, … ] }` in the scene".into());
+            let span = file.span(id);
+            return Err(evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help));
+        }
+        Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field)), dimension))
     }
 
     /// `section_force(strip, x = 0 mm)`.

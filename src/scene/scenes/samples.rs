@@ -4,6 +4,7 @@ use super::super::evaluate::{Evaluator, Lets, Outcome, Scope, Value};
 use super::super::file::{File, Reported};
 use super::super::model::Sample;
 use super::super::words::SAMPLES;
+use super::motions::RESIDUAL;
 use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
 use super::stage::Records;
 use super::tables::Tables;
@@ -58,6 +59,7 @@ impl Scope<Sample> for SampleScope<'_> {
             "min" => |record, column| Sample::Min { record, column },
             "initial" => |record, column| Sample::Initial { record, column },
             "final" => |record, column| Sample::Final { record, column },
+            "residual" => return Some(self.residual(evaluator, argument.value)),
             "never_grows" => {
                 let required = "it is a claim of its own: `expect never_grows(record.column)`";
                 return Some(Err(evaluator.wrong_form(self.file, &function.span, "`never_grows`", required)));
@@ -86,6 +88,18 @@ impl Scope<Sample> for SampleScope<'_> {
 }
 
 impl SampleScope<'_> {
+    /// `residual(motion)`: a column of the table a run makes of its exact motion.
+    fn residual(&self, evaluator: &mut Evaluator<Sample>, id: ExprId) -> Outcome {
+        let is_motion = matches!(&self.file.tree.expr(id).kind, ExprKind::Name(name) if name == "motion");
+        let Some(table) = self.records.get("motion").filter(|_| is_motion) else {
+            let required = "it is written `residual(motion)`, in a scene that has a `motion`";
+            return Err(evaluator.wrong_form(self.file, &self.file.span(id), "`residual`", required));
+        };
+        let dimension = table.get(RESIDUAL).copied().flatten().ok_or(Reported)?;
+        let sample = Sample::Max { record: "motion".into(), column: RESIDUAL.into() };
+        Ok(Value::scalar(evaluator.graph.leaf(sample), dimension))
+    }
+
     fn column(&self, evaluator: &mut Evaluator<Sample>, name: &ColumnName) -> Outcome {
         let (table, column) = (name.table.text.clone(), name.column.text.clone());
         if !self.records.contains_key(&table) && self.tables.contains_key(&table) {

@@ -90,6 +90,7 @@ impl<'a> Stage<'a> {
                 prescribed: Vec::new(),
                 loads: Vec::new(),
                 starts: Vec::new(),
+                motion: None,
                 run: Run::placeholder(),
                 records: Vec::new(),
                 frames: Vec::new(),

@@ -130,6 +130,12 @@ pub(in crate::scene) static PROBES: &[Word] = &[
     word("momentum", "momentum.x", RECORD, "Linear momentum."),
     word("angular_momentum", "angular_momentum.z", RECORD, "Angular momentum about the origin."),
     word("volume", "volume", RECORD, "Current volume."),
+    word(
+        "error",
+        "error(x)",
+        RECORD,
+        "Root mean square of the difference from the exact motion of the scene, weighted by volume, in the unit of what is compared: x, v, F, H, J or P.",
+    ),
     word("gradient_error", "gradient_error", RECORD, "Largest |F - Grad x| over the particles."),
     word("area_map_error", "area_map_error", RECORD, "Largest |H - cof F| over the particles."),
     word("volume_map_error", "volume_map_error", RECORD, "Largest |J - det F| over the particles."),
@@ -155,5 +161,11 @@ pub(in crate::scene) static SAMPLES: &[Word] = &[
     word("min", "min(record.column)", EXPECT, "Smallest value of a column."),
     word("initial", "initial(record.column)", EXPECT, "First value of a column."),
     word("final", "final(record.column)", EXPECT, "Last value of a column."),
+    word(
+        "residual",
+        "residual(motion)",
+        EXPECT,
+        "What the exact motion leaves of the momentum balance by finite differences, relative to its terms, at a point and time without symmetry.",
+    ),
     word("never_grows", "never_grows(record.column)", EXPECT, "The column never exceeds what it was before."),
 ];

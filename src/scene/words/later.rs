@@ -26,14 +26,6 @@ pub(super) static SWEEP: Declaration =
 pub(super) static TRADE: Declaration =
     block("trade", None, Target::Name, "The same scene over numerical choices, error against cost.");
 
-/// `motion { … }`
-pub(super) static MOTION: Declaration = block(
-    "motion",
-    Some("scene"),
-    Target::Absent,
-    "An exact motion x(X, t) from which initial state, loads and boundary data follow.",
-);
-
 /// `pressure body.face { … }`
 pub(super) static PRESSURE: Declaration =
     block("pressure", Some("scene"), Target::Face, "A pressure that follows the deforming face.");

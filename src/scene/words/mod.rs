@@ -9,6 +9,7 @@ mod expressions;
 mod later;
 mod law;
 mod load;
+mod motion;
 mod observe;
 mod run;
 
@@ -19,6 +20,7 @@ pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
 pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, PULL, SLIDE, START, TRACTION};
+pub(super) use motion::MOTION;
 pub(super) use observe::{FRAMES, PLOT, RECORD};
 pub(super) use run::RUN;
 
@@ -47,7 +49,7 @@ static BLOCKS: &[&Declaration] = &[
     &later::FIT,
     &later::SWEEP,
     &later::TRADE,
-    &later::MOTION,
+    &MOTION,
     &later::PRESSURE,
 ];
 
