@@ -226,3 +226,69 @@ fn without_noise(audit: &MaterialAudit) -> String {
     };
     text.lines().map(quiet).collect()
 }
+
+/// A fibre of two pieces that meet at the stretch 1.1 in value and slope if `k` and `c` say so.
+fn pieces(beyond: &str) -> MaterialAudit {
+    audited(&format!(
+        "import std.energies {{ neo_hooke, vol_quadratic }}
+energy two_pieces {{
+  param k : pressure > 0
+  direction a
+  let l = sqrt(I4bar(a))
+  psi = k*if(l > 1.1, {beyond}, (l - 1)^2)
+}}
+material cord {{
+  energy  = neo_hooke(mu = 10 kPa) + two_pieces(k = 100 kPa, a = a1) + vol_quadratic(K = 1 MPa)
+  density = 1000 kg/m^3
+  fibre a1 = [1, 0, 0]
+}}"
+    ))
+}
+
+#[test]
+fn pieces_of_an_energy_that_do_not_meet_are_told_with_the_stretch() {
+    // value and slope 0.01 and 0.2 at 1.1
+    let smooth = pieces("0.01 + 0.2*(l - 1.1)");
+    assert_eq!(property(&smooth, "joins").standing, Standing::Holds, "{smooth}");
+    let kinked = pieces("0.01 + 0.3*(l - 1.1)");
+    assert_eq!(property(&kinked, "joins").standing, Standing::Warns, "{kinked}");
+    assert!(property(&kinked, "joins").found.contains("at 1.1000 of isochoric stretch along a1"), "{kinked}");
+    assert!(kinked.is_sound());
+    let torn = pieces("0.02 + 0.2*(l - 1.1)");
+    assert_eq!(property(&torn, "joins").standing, Standing::Broken, "{torn}");
+    assert!(!torn.is_sound(), "an energy that jumps is none");
+    let beyond = pieces("if(l > 2, 0, 0.01 + 0.2*(l - 1.1))");
+    assert_eq!(property(&beyond, "joins").standing, Standing::Holds, "a jump beyond the stretches looked at");
+}
+
+/// Fibres in all directions, integrated to an order.
+fn everywhere(domain: &str, strain: &str) -> MaterialAudit {
+    audited(&format!(
+        "import std.energies {{ neo_hooke, vol_quadratic }}
+energy everywhere {{
+  param k : pressure > 0
+  psi = k*integrate(n in {domain}, {strain}^2)
+}}
+material felt {{
+  energy  = neo_hooke(mu = 1 kPa) + everywhere(k = 100 kPa) + vol_quadratic(K = 1 MPa)
+  density = 1000 kg/m^3
+}}"
+    ))
+}
+
+#[test]
+fn the_error_of_an_integral_over_directions_is_shown_and_judged() {
+    // a polynomial of degree 4 is exact at order 4 and wrong at order 2
+    let error = |audit: &MaterialAudit| property(audit, "integration").measured;
+    assert!(error(&everywhere("sphere(4)", "(I4bar(n) - 1)")) < 1e-12);
+    let coarse = everywhere("sphere(2)", "(I4bar(n) - 1)");
+    assert_eq!(property(&coarse, "integration").standing, Standing::Warns, "{coarse}");
+    // a bracket's kink costs a rule that does not know it four digits and more
+    let kinked = everywhere("sphere(24)", "pos(I4bar(n) - 1)");
+    assert_eq!(property(&kinked, "integration").standing, Standing::Warns, "{kinked}");
+    let fitted = everywhere("sphere(24, I4bar(n) > 1)", "(I4bar(n) - 1)");
+    assert!(100.0 * error(&fitted) < error(&kinked), "{fitted}");
+    for audit in [&kinked, &fitted] {
+        assert!(audit.is_sound(), "{audit}");
+    }
+}

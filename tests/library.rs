@@ -30,8 +30,7 @@ fn every_material_of_the_library_holds_its_golden_values() {
             let outcome = driven(described);
             assert!(outcome.failure.is_none(), "{}: {:?}", described.name, outcome.failure);
             assert!(outcome.report.expectations.len() >= 2, "{}", described.name);
-            // The one law that is an integral has the error of its rule, written in its file.
-            let bound = if file.name == "dispersed_fibres_artery" { 1e-4 } else { 1e-7 };
+            let bound = 1e-7;
             for verdict in &outcome.report.expectations {
                 assert!(verdict.holds, "{}: {} ({})", described.name, verdict.text, verdict.note);
                 assert!(verdict.bound <= 1.001 * bound && verdict.unit.is_empty(), "{}", verdict.text);

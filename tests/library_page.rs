@@ -31,8 +31,7 @@ fn document(file: &LibraryFile, set: &[(String, String)]) -> Option<Document> {
 fn page() -> String {
     let mut page = String::from(
         "# The standard library\n\nWritten from the files under `specs/energies` and `specs/materials`. Every material is \
-         driven in incompressible tension\nand held to a value of another program, to 1e-7 but for one law that is an integral (`tissue \
-         verify benchmarks`);\nits comment says whether its constants were read at their source. Take one with \
+         driven in incompressible tension\nand held to a value of another program, to 1e-7 (`tissue verify benchmarks`);\nits comment says whether its constants were read at their source. Take one with \
          `import std.materials { carotid_media }`, a law with `import std.energies { hgo }`.\n\n\
          ![First Piola-Kirchhoff stress over stretch of every material](library.svg)\n\n\
          Each curve ends at the greatest of a few stretches at which the law still has an equilibrium and the stress\n\

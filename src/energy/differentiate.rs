@@ -45,7 +45,13 @@ pub(super) fn slopes(
                 Dual::new(trace.handle(child), slope.unwrap_or_else(|| Handle::constant(0.0)))
             };
             let depends = |child: Node| slope[child as usize].is_some();
-            let result = step(operation, depends, dual);
+            let result = match *operation {
+                // linear in the integrand, which vanishes where a part of the sphere ends
+                Operation::Directions(rule, body) => {
+                    depends(body).then(|| trace.over_directions(rule, &dual(body).eps))
+                }
+                _ => step(operation, depends, dual),
+            };
             slope[node] = result.filter(|slope| slope.fixed() != Some(0.0));
         }
     }
@@ -60,7 +66,16 @@ fn step(
     dual: impl Fn(Node) -> Dual<Handle>,
 ) -> Option<Handle> {
     match *operation {
-        Operation::Input(_) | Operation::Constant(_) => None,
+        Operation::Input(_) | Operation::Constant(_) | Operation::Running(_) | Operation::Directions(..) => {
+            None
+        }
+        Operation::Between(value, limits) => {
+            let [upper, at_upper, lower, at_lower] = limits;
+            (depends(upper) || depends(lower)).then(|| {
+                let [upper, at_upper, lower, at_lower] = [upper, at_upper, lower, at_lower].map(&dual);
+                dual(value).between((&upper, &at_upper), (&lower, &at_lower)).eps
+            })
+        }
         Operation::Unary(function, x) => depends(x).then(|| unary(function, &dual(x)).eps),
         Operation::Binary(function, x, y) => (depends(x) || depends(y)).then(|| match function {
             Binary::Add => (dual(x) + dual(y)).eps,
@@ -80,6 +95,7 @@ fn step(
 
 fn unary(function: Unary, x: &Dual<Handle>) -> Dual<Handle> {
     match function {
+        Unary::Same => x.clone(),
         Unary::Negate => -x.clone(),
         Unary::Reciprocal => x.reciprocal(),
         Unary::Sqrt => Scalar::sqrt(x),

@@ -4,8 +4,10 @@
 //! constants are folded, neutral elements vanish, negation moves outwards, commuting operands are
 //! put in order, a bracket absorbs its slope. Knows no derivative; those are written into it by num-dual.
 
+use super::mixture::Mixture;
 use crate::expression::{Comparison, Scalar};
 use std::collections::HashMap;
+use std::hash::BuildHasherDefault;
 
 /// Index of a node.
 pub(super) type Node = u32;
@@ -32,6 +34,8 @@ pub(super) enum Unary {
     Step,
     /// The step that counts the kink itself as loaded.
     StepTaut,
+    /// The value itself, by another name.
+    Same,
 }
 
 /// Functions of two arguments.
@@ -55,13 +59,28 @@ pub(super) enum Operation {
     Unary(Unary, Node),
     Binary(Binary, Node, Node),
     Select(Comparison, [Node; 4]),
+    /// Component of the direction an integral runs over.
+    Running(u8),
+    /// The integral of a node over directions, by one of the graph's rules.
+    Directions(u32, Node),
+    /// A value between two limits: upper and the integrand there, lower and the integrand there.
+    Between(Node, [Node; 4]),
+}
+
+/// Which directions an integral runs over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Domain {
+    /// Degree the rule is exact for.
+    pub(super) order: u16,
+    /// `S` of `n · S n > above` and the bits of `above`; the whole sphere if none.
+    pub(super) cone: Option<([Node; 6], u64)>,
 }
 
 /// How far below its kink a bracket still counts as taut: a fibre at rest, up to round-off.
 ///
 /// Arguments of brackets are strain-like numbers; 1e-8 is far above round-off at rest and far
 /// below any strain that matters.
-const TAUT_FROM: f64 = -1e-8;
+pub(super) const TAUT_FROM: f64 = -1e-8;
 
 impl Unary {
     /// The operation on a number; the definition every faster route is held to.
@@ -84,6 +103,7 @@ impl Unary {
             Self::Erf => Scalar::erf(&x),
             Self::Pos => x.pos(),
             Self::Step => x.step(),
+            Self::Same => x,
             Self::StepTaut => f64::from(u8::from(x >= TAUT_FROM)),
         }
     }
@@ -117,9 +137,8 @@ impl Binary {
 #[derive(Debug, Default)]
 pub(super) struct Graph {
     nodes: Vec<Operation>,
-    index: HashMap<Operation, Node>,
-    /// Whether brackets at their kink count as loaded.
-    pub(super) taut: bool,
+    index: HashMap<Operation, Node, BuildHasherDefault<Mixture>>,
+    domains: Vec<Domain>,
 }
 
 impl Graph {
@@ -160,7 +179,7 @@ impl Graph {
     /// Whether `step` is the slope of the bracket `pos`: their product is the bracket itself.
     fn is_step_of_bracket(&self, step: Node, pos: Node) -> bool {
         match (self.nodes[step as usize], self.nodes[pos as usize]) {
-            (Operation::Unary(Unary::Step | Unary::StepTaut, x), Operation::Unary(Unary::Pos, y)) => x == y,
+            (Operation::Unary(Unary::Step, x), Operation::Unary(Unary::Pos, y)) => x == y,
             _ => false,
         }
     }
@@ -175,7 +194,6 @@ impl Graph {
         }
         match (function, self.negated(x)) {
             (Unary::Negate, Some(inner)) => inner,
-            (Unary::Step, _) if self.taut => self.insert(Operation::Unary(Unary::StepTaut, x)),
             _ => self.insert(Operation::Unary(function, x)),
         }
     }
@@ -247,6 +265,30 @@ impl Graph {
                 self.negate(product)
             }
             (None, None) => self.insert(Operation::Binary(Binary::Multiply, x.min(y), x.max(y))),
+        }
+    }
+
+    /// The domains integrals run over, in the order of their rules.
+    pub(super) fn domains(&self) -> &[Domain] {
+        &self.domains
+    }
+
+    /// `∫ body dS`; zero of zero, so that what does not depend on the seed costs nothing.
+    pub(super) fn over_directions(&mut self, domain: Domain, body: Node) -> Node {
+        if self.value(body) == Some(0.0) {
+            return body;
+        }
+        let rule = self.domains.iter().position(|known| *known == domain).unwrap_or_else(|| {
+            self.domains.push(domain);
+            self.domains.len() - 1
+        });
+        self.insert(Operation::Directions(rule as u32, body))
+    }
+
+    pub(super) fn between(&mut self, value: Node, limits: [Node; 4]) -> Node {
+        match [limits[0], limits[2]].map(|limit| self.value(limit)) {
+            [Some(_), Some(_)] => value,
+            _ => self.insert(Operation::Between(value, limits)),
         }
     }
 

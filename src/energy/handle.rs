@@ -1,9 +1,9 @@
 //! A number that is not known yet: a handle into a graph, as a part of num-dual's duals.
 
-use super::graph::{Binary, Graph, Node, Operation, Unary};
+use super::graph::{Binary, Domain, Graph, Node, Operation, Unary};
 use crate::expression::dual_parts::implement_dual_num;
 use crate::expression::{Comparison, Part, Scalar};
-use std::cell::RefCell;
+use std::cell::{Ref, RefCell};
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
@@ -25,17 +25,24 @@ pub(super) struct Trace {
 }
 
 impl Trace {
-    /// A trace whose brackets count as loaded at their kink, if `taut`.
-    pub(super) fn new(taut: bool) -> Self {
-        let trace = Self::default();
-        trace.graph.borrow_mut().taut = taut;
-        trace
-    }
-
     /// The handle of a quantity supplied from outside.
     pub(super) fn input(&self, place: usize) -> Handle {
         let node = self.graph.borrow_mut().insert(Operation::Input(place as u32));
         Handle::Node(Rc::clone(&self.graph), node)
+    }
+
+    /// The handle of a component of the direction an integral runs over.
+    pub(super) fn running(&self, axis: u8) -> Handle {
+        let node = self.graph.borrow_mut().insert(Operation::Running(axis));
+        Handle::Node(Rc::clone(&self.graph), node)
+    }
+
+    /// The integral of a handle over directions, by a rule of the graph.
+    pub(super) fn over_directions(&self, rule: u32, body: &Handle) -> Handle {
+        let domain = self.graph.borrow().domains()[rule as usize];
+        let body = body.node_in(&self.graph);
+        let node = self.graph.borrow_mut().over_directions(domain, body);
+        Handle::of(&self.graph, node)
     }
 
     /// The handle of a node of the graph.
@@ -48,10 +55,14 @@ impl Trace {
         self.graph.borrow().nodes().to_vec()
     }
 
-    /// The graph, and the nodes of the given handles in it.
-    pub(super) fn finish(self, outputs: Vec<Handle>) -> (Graph, Vec<Node>) {
-        let nodes = outputs.into_iter().map(|output| output.node_in(&self.graph)).collect();
-        (self.graph.take(), nodes)
+    /// The nodes of handles.
+    pub(super) fn nodes(&self, handles: &[Handle]) -> Vec<Node> {
+        handles.iter().map(|handle| handle.node_in(&self.graph)).collect()
+    }
+
+    /// The graph written so far.
+    pub(super) fn graph(&self) -> Ref<'_, Graph> {
+        self.graph.borrow()
     }
 }
 
@@ -175,6 +186,30 @@ impl Scalar for Handle {
         };
         let nodes = all.map(|handle| handle.node_in(graph));
         let result = graph.borrow_mut().select(comparison, nodes);
+        Self::of(graph, result)
+    }
+    fn over_directions(&self, order: u16, part: Option<([Self; 6], Self)>) -> Self {
+        let everything = part.iter().flat_map(|(shape, above)| shape.iter().chain([above]));
+        let graph = everything.chain([self]).find_map(|handle| match handle {
+            Self::Node(graph, _) => Some(graph),
+            Self::Constant(_) => None,
+        });
+        let Some(graph) = graph else {
+            // a constant over the whole sphere: its area
+            return self.clone() * Self::Constant(4.0 * std::f64::consts::PI);
+        };
+        let cone = part.as_ref().map(|(shape, above)| {
+            let bound = above.fixed().unwrap_or(f64::NAN);
+            (shape.each_ref().map(|handle| handle.node_in(graph)), bound.to_bits())
+        });
+        let body = self.node_in(graph);
+        let result = graph.borrow_mut().over_directions(Domain { order, cone }, body);
+        Self::of(graph, result)
+    }
+    fn between(&self, upper: (&Self, &Self), lower: (&Self, &Self)) -> Self {
+        let Self::Node(graph, value) = self else { return self.clone() };
+        let limits = [upper.0, upper.1, lower.0, lower.1].map(|handle| handle.node_in(graph));
+        let result = graph.borrow_mut().between(*value, limits);
         Self::of(graph, result)
     }
     functions!(reciprocal Reciprocal, sqrt Sqrt, cbrt Cbrt, reciprocal_cbrt ReciprocalCbrt, exp Exp, exp_m1 ExpM1,

@@ -34,6 +34,12 @@ pub enum Invariant {
     I8(u8, u8),
     /// `E(a, b) = ½ (F a · F b − a · b)`
     Green(u8, u8),
+    /// `C_ij` in the common axes, `i` and `j` in 0..3.
+    RightCauchyGreen(u8, u8),
+    /// `J^(-2/3) C_ij`
+    RightCauchyGreenBar(u8, u8),
+    /// Component `i` of direction `a` in the common axes; no function of the deformation.
+    Component(u8, u8),
 }
 
 impl Invariant {
@@ -43,6 +49,8 @@ impl Invariant {
             Self::I8(a, b) if a == b => Self::I4(a),
             Self::I8(a, b) => Self::I8(a.min(b), a.max(b)),
             Self::Green(a, b) => Self::Green(a.min(b), a.max(b)),
+            Self::RightCauchyGreen(i, j) => Self::RightCauchyGreen(i.min(j), i.max(j)),
+            Self::RightCauchyGreenBar(i, j) => Self::RightCauchyGreenBar(i.min(j), i.max(j)),
             other => other,
         }
     }
@@ -55,4 +63,6 @@ pub enum Leaf {
     Invariant(Invariant),
     /// A material parameter, an index into the material's list.
     Parameter(u32),
+    /// Component, in the common axes, of the direction an integral over directions runs over.
+    Running(u8),
 }

@@ -176,7 +176,16 @@ impl Block {
             Raw::Fifth(a) => dot(&self.pulled[usize::from(a)], &self.pulled[usize::from(a)], to),
             Raw::Eighth(a, b) => dot(&self.images[usize::from(a)], &self.images[usize::from(b)], to),
             Raw::Dot(a, b) => dot(&self.directions[usize::from(a)], &self.directions[usize::from(b)], to),
+            Raw::Metric(i, j) => dot(self.column(i), self.column(j), to),
+            Raw::Component(a, i) => *to = self.directions[usize::from(a)][usize::from(i)],
         }
+    }
+
+    /// `F e_i`
+    #[inline(always)]
+    pub(super) fn column(&self, i: u8) -> &Vector {
+        let start = 3 * usize::from(i);
+        self.f[start..start + 3].as_array().expect("a column has three components")
     }
 
     /// Adds one invariant's share, of derivative `d`, to the stresses conjugate to `F`, `H` and `J`.
@@ -211,7 +220,17 @@ impl Block {
                 dyad(&self.images[a], &self.directions[b], d, &mut sigma.f);
                 dyad(&self.images[b], &self.directions[a], d, &mut sigma.f);
             }
-            Raw::Dot(..) => {}
+            Raw::Metric(i, j) => {
+                for (line, image) in [(i, j), (j, i)] {
+                    let start = 3 * usize::from(line);
+                    for row in 0..3 {
+                        for lane in 0..LANES {
+                            sigma.f[start + row][lane] += d[lane] * self.column(image)[row][lane];
+                        }
+                    }
+                }
+            }
+            Raw::Dot(..) | Raw::Component(..) => {}
         }
     }
 

@@ -8,7 +8,7 @@ use super::kinematics::{Block, Conjugate, Reads};
 use super::program::{LANES, Program, Row};
 use super::raw::Raw;
 use super::tangent_block::Tangents;
-use super::trace::Source;
+use super::trace::{Programs, Source};
 use super::wide::widest;
 use crate::expression::Tape;
 use crate::tensor::{Mat3, Vec3};
@@ -94,7 +94,7 @@ impl Law {
                 Leaf::Parameter(index) if index as usize >= parameters.len() => {
                     return Err(EnergyError::MissingParameter { index, supplied: parameters.len() });
                 }
-                Leaf::Parameter(_) => {}
+                Leaf::Parameter(_) | Leaf::Running(_) => {}
                 Leaf::Invariant(Invariant::Stretch(index) | Invariant::StretchBar(index)) if index > 2 => {
                     return Err(EnergyError::NoSuchStretch { index });
                 }
@@ -107,8 +107,7 @@ impl Law {
         raws.sort_unstable();
         raws.dedup();
         let source = Source { psi, parameters, live: &live, raws: &raws };
-        let (density, gradient) = (source.density(), source.gradient());
-        let hessians = [source.hessian(false), source.hessian(true)];
+        let Programs { density, gradient, hessians } = source.programs();
         let any = |wanted: fn(&Raw) -> bool| raws.iter().any(wanted);
         let reads = Reads {
             area_map: any(|raw| matches!(raw, Raw::I2)),

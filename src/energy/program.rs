@@ -1,9 +1,11 @@
 //! A flat program of real operations, run over a block of particles at a time.
 //!
-//! Owns dead-code removal, register allocation and the loop over operations. Each operation is
+//! Owns the loop over operations and, inside it, those over directions. Each operation is
 //! applied lane by lane, so a particle's result does not depend on its neighbours in the block.
 
-use super::graph::{Binary, Graph, Node, Operation, Unary};
+use super::graph::{Binary, Graph, Node, TAUT_FROM, Unary};
+use super::schedule;
+use super::sphere::Rule;
 use crate::expression::{Comparison, elementary};
 
 /// Particles worked on together.
@@ -12,43 +14,72 @@ pub(super) const LANES: usize = 16;
 /// One quantity of the particles of a block.
 pub(super) type Row = [f64; LANES];
 
-type Register = u32;
+pub(super) type Register = u32;
 
+/// One operation; the register written stands first.
 #[derive(Debug, Clone, Copy)]
-enum Instruction {
+pub(super) enum Instruction {
     Unary(Unary, Register, Register),
     Binary(Binary, Register, Register, Register),
     Select(Comparison, Register, [Register; 4]),
+    /// Adds a value times the weight of the direction at hand, the last register.
+    Accumulate(Register, Register, Register),
+    /// All of an integral over directions, by its place in the list of them.
+    Integrals(u32),
+}
+
+/// Integrals over the same directions: one body, run once for each of them.
+#[derive(Debug, Clone)]
+pub(super) struct Integrals {
+    pub(super) rule: Rule,
+    /// `S` of the cone, where there is one.
+    pub(super) shape: Option<[Register; 6]>,
+    /// Where the components of the direction go.
+    pub(super) running: [Register; 3],
+    /// Where its weight goes.
+    pub(super) weight: Register,
+    pub(super) body: Vec<Instruction>,
+    /// Where the sums are.
+    pub(super) sums: Vec<Register>,
 }
 
 /// Registers: first the inputs, then the constants, then what is computed.
 #[derive(Debug, Clone)]
 pub(super) struct Program {
-    inputs: usize,
-    constants: Vec<f64>,
-    instructions: Vec<Instruction>,
-    outputs: Vec<Register>,
-    registers: usize,
+    pub(super) inputs: usize,
+    pub(super) constants: Vec<f64>,
+    pub(super) instructions: Vec<Instruction>,
+    pub(super) integrals: Vec<Integrals>,
+    pub(super) outputs: Vec<Register>,
+    pub(super) registers: usize,
 }
 
 impl Program {
     /// The program of the outputs, over `inputs` quantities supplied from outside.
     pub(super) fn new(graph: &Graph, outputs: &[Node], inputs: usize) -> Self {
-        let uses = count_uses(graph, outputs);
-        let mut builder = Builder::new(graph, inputs, uses);
-        let instructions = builder.instructions(graph);
-        Self {
-            inputs,
-            constants: builder.constants,
-            instructions,
-            outputs: outputs.iter().map(|&node| builder.place[node as usize]).collect(),
-            registers: builder.registers as usize,
+        schedule::program(graph, outputs, inputs)
+    }
+
+    /// The same program with brackets at their kink taken as loaded.
+    pub(super) fn taut(&self) -> Self {
+        let loaded = |instruction: &mut Instruction| {
+            if let Instruction::Unary(function @ Unary::Step, ..) = instruction {
+                *function = Unary::StepTaut;
+            }
+        };
+        let mut taut = self.clone();
+        taut.instructions.iter_mut().for_each(loaded);
+        for integrals in &mut taut.integrals {
+            integrals.body.iter_mut().for_each(loaded);
+            integrals.rule = integrals.rule.lowered(TAUT_FROM);
         }
+        taut
     }
 
     /// Operations a particle costs.
     pub(super) fn operations(&self) -> usize {
-        self.instructions.len()
+        let integrals = self.integrals.iter().map(|integrals| integrals.body.len() * integrals.rule.count());
+        self.instructions.len() + integrals.sum::<usize>()
     }
 
     /// Rows the program needs.
@@ -79,28 +110,66 @@ impl Program {
     pub(super) fn run(&self, rows: &mut [Row]) {
         for instruction in &self.instructions {
             match *instruction {
-                Instruction::Unary(function, to, x) => {
-                    let [to, x] = disjoint(rows, [to, x]);
-                    unary(function, x, to);
-                }
-                Instruction::Binary(function, to, x, y) if x == y => {
-                    let [to, x] = disjoint(rows, [to, x]);
-                    binary(function, x, x, to);
-                }
-                Instruction::Binary(function, to, x, y) => {
-                    let [to, x, y] = disjoint(rows, [to, x, y]);
-                    binary(function, x, y, to);
-                }
-                Instruction::Select(comparison, to, from) => {
-                    let [left, right, then, otherwise] = from.map(|register| rows[register as usize]);
-                    let row = &mut rows[to as usize];
-                    for lane in 0..LANES {
-                        let holds = comparison.holds(left[lane], right[lane]);
-                        row[lane] = if holds { then[lane] } else { otherwise[lane] };
-                    }
-                }
+                Instruction::Integrals(place) => self.integrals[place as usize].run(rows),
+                other => execute(other, rows),
             }
         }
+    }
+}
+
+impl Integrals {
+    /// Sums the body over the directions of the rule.
+    #[inline(always)]
+    fn run(&self, rows: &mut [Row]) {
+        for &sum in &self.sums {
+            rows[sum as usize] = [0.0; LANES];
+        }
+        let shape = self.shape.unwrap_or_default();
+        let cones = self.rule.cones(shape.map(|register| &rows[register as usize]));
+        self.rule.each(&cones, |n, weight| {
+            for (&register, component) in self.running.iter().zip(n) {
+                rows[register as usize] = *component;
+            }
+            rows[self.weight as usize] = *weight;
+            for instruction in &self.body {
+                execute(*instruction, rows);
+            }
+        });
+    }
+}
+
+#[inline(always)]
+fn execute(instruction: Instruction, rows: &mut [Row]) {
+    match instruction {
+        Instruction::Unary(function, to, x) => {
+            let [to, x] = disjoint(rows, [to, x]);
+            unary(function, x, to);
+        }
+        Instruction::Binary(function, to, x, y) if x == y => {
+            let [to, x] = disjoint(rows, [to, x]);
+            binary(function, x, x, to);
+        }
+        Instruction::Binary(function, to, x, y) => {
+            let [to, x, y] = disjoint(rows, [to, x, y]);
+            binary(function, x, y, to);
+        }
+        Instruction::Select(comparison, to, from) => {
+            let [left, right, then, otherwise] = from.map(|register| rows[register as usize]);
+            let row = &mut rows[to as usize];
+            for lane in 0..LANES {
+                let holds = comparison.holds(left[lane], right[lane]);
+                row[lane] = if holds { then[lane] } else { otherwise[lane] };
+            }
+        }
+        Instruction::Accumulate(to, x, weight) => {
+            let [to, x, weight] = disjoint(rows, [to, x, weight]);
+            for lane in 0..LANES {
+                // what has no weight counts nothing, even where it is no number
+                let share = weight[lane] * x[lane];
+                to[lane] += if weight[lane] == 0.0 { 0.0 } else { share };
+            }
+        }
+        Instruction::Integrals(_) => {}
     }
 }
 
@@ -146,102 +215,5 @@ fn binary(function: Binary, x: &Row, y: &Row, to: &mut Row) {
 fn both(x: &Row, y: &Row, to: &mut Row, of: impl Fn(f64, f64) -> f64) {
     for lane in 0..LANES {
         to[lane] = of(x[lane], y[lane]);
-    }
-}
-
-/// How often each node is read, outputs included; 0 is dead code.
-fn count_uses(graph: &Graph, outputs: &[Node]) -> Vec<u32> {
-    let mut uses = vec![0_u32; graph.nodes().len()];
-    for &output in outputs {
-        uses[output as usize] += 1;
-    }
-    for (node, operation) in graph.nodes().iter().enumerate().rev() {
-        if uses[node] > 0 {
-            for_children(operation, |child| uses[child as usize] += 1);
-        }
-    }
-    uses
-}
-
-fn for_children(operation: &Operation, mut visit: impl FnMut(Node)) {
-    match *operation {
-        Operation::Input(_) | Operation::Constant(_) => {}
-        Operation::Unary(_, x) => visit(x),
-        Operation::Binary(_, x, y) => {
-            visit(x);
-            visit(y);
-        }
-        Operation::Select(_, nodes) => nodes.into_iter().for_each(visit),
-    }
-}
-
-struct Builder {
-    /// Reads still to come.
-    left: Vec<u32>,
-    /// Register of each node.
-    place: Vec<Register>,
-    constants: Vec<f64>,
-    free: Vec<Register>,
-    /// First register that may be reused.
-    fixed: Register,
-    registers: Register,
-}
-
-impl Builder {
-    fn new(graph: &Graph, inputs: usize, left: Vec<u32>) -> Self {
-        let mut place = vec![Register::MAX; graph.nodes().len()];
-        let mut constants = Vec::new();
-        for (node, operation) in graph.nodes().iter().enumerate() {
-            match *operation {
-                Operation::Input(input) => place[node] = input,
-                Operation::Constant(bits) if left[node] > 0 => {
-                    place[node] = (inputs + constants.len()) as Register;
-                    constants.push(f64::from_bits(bits));
-                }
-                _ => {}
-            }
-        }
-        let fixed = (inputs + constants.len()) as Register;
-        Self { left, place, constants, free: Vec::new(), fixed, registers: fixed }
-    }
-
-    fn instructions(&mut self, graph: &Graph) -> Vec<Instruction> {
-        let mut instructions = Vec::new();
-        for (node, operation) in graph.nodes().iter().enumerate() {
-            if self.left[node] == 0 || matches!(operation, Operation::Input(_) | Operation::Constant(_)) {
-                continue;
-            }
-            let at = |node: Node| self.place[node as usize];
-            let instruction = match *operation {
-                Operation::Input(_) | Operation::Constant(_) => continue,
-                Operation::Unary(function, x) => Instruction::Unary(function, 0, at(x)),
-                Operation::Binary(function, x, y) => Instruction::Binary(function, 0, at(x), at(y)),
-                Operation::Select(comparison, nodes) => Instruction::Select(comparison, 0, nodes.map(at)),
-            };
-            let to = self.allocate();
-            for_children(operation, |child| self.release(child));
-            self.place[node] = to;
-            instructions.push(match instruction {
-                Instruction::Unary(function, _, x) => Instruction::Unary(function, to, x),
-                Instruction::Binary(function, _, x, y) => Instruction::Binary(function, to, x, y),
-                Instruction::Select(comparison, _, from) => Instruction::Select(comparison, to, from),
-            });
-        }
-        instructions
-    }
-
-    fn release(&mut self, node: Node) {
-        self.left[node as usize] -= 1;
-        let register = self.place[node as usize];
-        if self.left[node as usize] == 0 && register >= self.fixed {
-            self.free.push(register);
-        }
-    }
-
-    fn allocate(&mut self) -> Register {
-        self.free.pop().unwrap_or_else(|| {
-            self.registers += 1;
-            self.registers - 1
-        })
     }
 }

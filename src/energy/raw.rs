@@ -22,6 +22,10 @@ pub(super) enum Raw {
     Eighth(u8, u8),
     /// `a · b`, the smaller index first; no function of the deformation
     Dot(u8, u8),
+    /// `F e_i · F e_j` in the common axes, the smaller index first
+    Metric(u8, u8),
+    /// Component of a direction; no function of the deformation
+    Component(u8, u8),
 }
 
 impl Raw {
@@ -41,7 +45,19 @@ impl Raw {
             Invariant::I5Bar(a) => vec![Self::Fifth(a), Self::J],
             Invariant::I8(a, b) => vec![Self::eighth(a, b)],
             Invariant::Green(a, b) => vec![Self::eighth(a, b), Self::Dot(a.min(b), a.max(b))],
+            Invariant::RightCauchyGreen(i, j) => vec![Self::metric(i, j)],
+            Invariant::RightCauchyGreenBar(i, j) => vec![Self::metric(i, j), Self::J],
+            Invariant::Component(a, i) => vec![Self::Component(a, i)],
         }
+    }
+
+    /// Whether it does not change with the deformation.
+    pub(super) fn is_fixed(self) -> bool {
+        matches!(self, Self::Dot(..) | Self::Component(..))
+    }
+
+    fn metric(i: u8, j: u8) -> Self {
+        Self::Metric(i.min(j), i.max(j))
     }
 
     fn eighth(a: u8, b: u8) -> Self {
@@ -51,7 +67,7 @@ impl Raw {
     /// One more than the largest direction read.
     pub(super) fn directions(self) -> usize {
         match self {
-            Self::Fourth(a) | Self::Fifth(a) => usize::from(a) + 1,
+            Self::Fourth(a) | Self::Fifth(a) | Self::Component(a, _) => usize::from(a) + 1,
             Self::Eighth(_, b) | Self::Dot(_, b) => usize::from(b) + 1,
             _ => 0,
         }
@@ -66,6 +82,7 @@ pub(super) fn isochoric(invariant: Invariant) -> Option<(Raw, i32)> {
         Invariant::StretchBar(i) => Some((Raw::Stretch(i), 1)),
         Invariant::I4Bar(a) => Some((Raw::Fourth(a), 2)),
         Invariant::I5Bar(a) => Some((Raw::Fifth(a), 4)),
+        Invariant::RightCauchyGreenBar(i, j) => Some((Raw::metric(i, j), 2)),
         _ => None,
     }
 }
@@ -98,5 +115,8 @@ pub(super) fn invariant<T: Scalar>(invariant: Invariant, raw: &impl Fn(Raw) -> T
         Invariant::Green(a, b) => {
             (raw(Raw::eighth(a, b)) - raw(Raw::Dot(a.min(b), a.max(b)))) * T::constant(0.5)
         }
+        Invariant::RightCauchyGreen(i, j) => raw(Raw::metric(i, j)),
+        Invariant::RightCauchyGreenBar(i, j) => raw(Raw::metric(i, j)) * r2(),
+        Invariant::Component(a, i) => raw(Raw::Component(a, i)),
     }
 }

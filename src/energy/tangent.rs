@@ -202,7 +202,8 @@ impl<'a> Geometry<'a> {
                 2.0 * ((f * at(a)) * b.transpose() + (f * b) * at(a).transpose())
             }
             Raw::Eighth(a, b) => (f * at(a)) * at(b).transpose() + (f * at(b)) * at(a).transpose(),
-            Raw::Dot(..) => Mat3::zeros(),
+            Raw::Metric(i, j) => metric_change(f, i, j),
+            Raw::Dot(..) | Raw::Component(..) => Mat3::zeros(),
         };
         Column::from_column_slice(gradient.as_slice())
     }
@@ -215,7 +216,8 @@ impl<'a> Geometry<'a> {
             Raw::I1 => 2.0 * e,
             Raw::I2 => 2.0 * (cross(&cross(f, e), f) + cross(&self.h, e)),
             Raw::J => cross(f, e),
-            Raw::Stretch(_) | Raw::Dot(..) => Mat3::zeros(),
+            Raw::Stretch(_) | Raw::Dot(..) | Raw::Component(..) => Mat3::zeros(),
+            Raw::Metric(i, j) => metric_change(e, i, j),
             Raw::Fourth(a) => 2.0 * (e * at(a)) * at(a).transpose(),
             Raw::Fifth(a) => {
                 let a = at(a);
@@ -229,4 +231,15 @@ impl<'a> Geometry<'a> {
             Raw::Eighth(a, b) => (e * at(a)) * at(b).transpose() + (e * at(b)) * at(a).transpose(),
         }
     }
+}
+
+/// `f e_i ⊗ e_j + f e_j ⊗ e_i`
+fn metric_change(f: &Mat3, i: u8, j: u8) -> Mat3 {
+    let (i, j) = (usize::from(i), usize::from(j));
+    let mut change = Mat3::zeros();
+    for (line, image) in [(i, j), (j, i)] {
+        let column = change.column(line) + f.column(image);
+        change.set_column(line, &column);
+    }
+    change
 }

@@ -112,7 +112,14 @@ impl Tangents {
                 self.add_lines(d, a, b);
                 self.add_lines(d, b, a);
             }
-            Raw::I2 | Raw::Fifth(_) | Raw::Stretch(_) | Raw::Dot(..) => {}
+            Raw::Metric(i, j) => {
+                let (i, j) = (usize::from(i), usize::from(j));
+                for row in 0..3 {
+                    let factor = if i == j { 2.0 } else { 1.0 };
+                    add(&mut self.0[ordered(row + 3 * i, row + 3 * j)], d, &[factor; LANES]);
+                }
+            }
+            Raw::I2 | Raw::Fifth(_) | Raw::Stretch(_) | Raw::Dot(..) | Raw::Component(..) => {}
         }
     }
 
@@ -217,7 +224,18 @@ impl Block {
                 }
                 Some(sum)
             }
-            Raw::I2 | Raw::Fifth(_) | Raw::Stretch(_) | Raw::Dot(..) => None,
+            Raw::Metric(i, j) => {
+                let mut sum = [ZERO; 9];
+                for (line, image) in [(i, j), (j, i)] {
+                    for row in 0..3 {
+                        for lane in 0..LANES {
+                            sum[3 * usize::from(line) + row][lane] += self.column(image)[row][lane];
+                        }
+                    }
+                }
+                Some(sum)
+            }
+            Raw::I2 | Raw::Fifth(_) | Raw::Stretch(_) | Raw::Dot(..) | Raw::Component(..) => None,
         }
     }
 }

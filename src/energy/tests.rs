@@ -26,6 +26,11 @@ fn everything() -> Tape<Leaf> {
         Invariant::I8(1, 0),
         Invariant::I8(1, 1),
         Invariant::Green(0, 0),
+        Invariant::RightCauchyGreen(0, 0),
+        Invariant::RightCauchyGreen(2, 1),
+        Invariant::Component(1, 2),
+        Invariant::RightCauchyGreenBar(1, 1),
+        Invariant::RightCauchyGreenBar(0, 2),
     ];
     let mut tape = Tape::new();
     let mut sum = tape.push(Node::Constant(1.0));

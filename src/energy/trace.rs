@@ -1,6 +1,7 @@
 //! An energy's tape, run once over handles, and its derivatives: all as programs.
 
 use super::differentiate::{Leaves, slopes};
+use super::graph::Node;
 use super::handle::{Handle, Trace};
 use super::invariant::{Invariant, Leaf};
 use super::program::Program;
@@ -17,6 +18,16 @@ pub(super) struct Source<'a> {
     pub(super) raws: &'a [Raw],
 }
 
+/// The programs of a law.
+pub(super) struct Programs {
+    /// `ψ`
+    pub(super) density: Program,
+    /// `∂ψ/∂I_k` in the order of the raw invariants.
+    pub(super) gradient: Program,
+    /// `∂ψ/∂I_k`, then `∂²ψ/∂I_k ∂I_l` at [`pair`]; brackets at their kink slack, and loaded.
+    pub(super) hessians: [Program; 2],
+}
+
 /// Position of the second derivative by raw invariants `k <= l` in the list of them.
 pub(super) fn pair(k: usize, l: usize) -> usize {
     debug_assert!(k <= l, "the upper triangle is stored");
@@ -24,39 +35,37 @@ pub(super) fn pair(k: usize, l: usize) -> usize {
 }
 
 impl Source<'_> {
-    /// `ψ`
-    pub(super) fn density(&self) -> Program {
-        let trace = Trace::new(false);
-        let psi = self.evaluate(&self.inputs(&trace));
-        self.finish(trace, vec![psi])
+    /// All programs of the law, from one graph.
+    pub(super) fn programs(&self) -> Programs {
+        let trace = Trace::default();
+        let inputs = self.inputs(&trace);
+        let psi = self.evaluate(&trace, &inputs);
+        let gradient = self.traced_gradient(&trace, &inputs, &psi);
+        let curvatures = self.traced_hessian(&trace, &inputs, &gradient);
+        let density = trace.nodes(&[psi]);
+        let mut second = trace.nodes(&gradient);
+        let first = second.clone();
+        second.extend(trace.nodes(&curvatures));
+        let graph = trace.graph();
+        let program = |outputs: &[Node]| Program::new(&graph, outputs, inputs.len());
+        let slack = program(&second);
+        let hessians = [slack.clone(), slack.taut()];
+        Programs { density: program(&density), gradient: program(&first), hessians }
     }
 
-    /// `∂ψ/∂I_k` in the order of the raw invariants.
-    pub(super) fn gradient(&self) -> Program {
-        let trace = Trace::new(false);
-        let outputs = self.traced_gradient(&trace);
-        self.finish(trace, outputs)
-    }
-
-    /// `∂ψ/∂I_k`, then `∂²ψ/∂I_k ∂I_l` at [`pair`]; brackets at their kink loaded if `taut`.
-    pub(super) fn hessian(&self, taut: bool) -> Program {
-        let trace = Trace::new(taut);
-        let mut outputs = self.traced_gradient(&trace);
-        let gradient = outputs.clone();
+    /// `∂²ψ/∂I_k ∂I_l` at [`pair`].
+    fn traced_hessian(&self, trace: &Trace, inputs: &[Handle], gradient: &[Handle]) -> Vec<Handle> {
         let operations = trace.operations();
-        let nodes: Vec<_> = self.inputs(&trace).iter().filter_map(Handle::node).collect();
+        let nodes: Vec<_> = inputs.iter().filter_map(Handle::node).collect();
         let leaves = Leaves::new(nodes.iter().copied(), operations.len());
-        for (l, &node) in nodes.iter().enumerate() {
-            outputs.extend(slopes(&trace, &operations, &gradient[..=l], &leaves, node));
-        }
-        self.finish(trace, outputs)
+        let by = |(l, &node): (usize, &Node)| slopes(trace, &operations, &gradient[..=l], &leaves, node);
+        nodes.iter().enumerate().flat_map(by).collect()
     }
 
     /// ψ is differentiated by the invariants it names; the rest is the chain rule, with all isochoric
     /// ones of a power `r^p`, `r = J^(-1/3)`, gathered before their slope `−p/3 r^(p+3)` by `J`.
-    fn traced_gradient(&self, trace: &Trace) -> Vec<Handle> {
-        let inputs = self.inputs(trace);
-        let by_named = self.slopes_by_named(trace, &inputs);
+    fn traced_gradient(&self, trace: &Trace, inputs: &[Handle], psi: &Handle) -> Vec<Handle> {
+        let by_named = self.slopes_by_named(trace, inputs, psi);
         let mut outputs = vec![Handle::constant(0.0); inputs.len()];
         let mut gathered = [(); 5].map(|()| Handle::constant(0.0));
         let raw = |wanted: Raw| inputs[self.place(wanted)].clone();
@@ -70,7 +79,7 @@ impl Source<'_> {
                 gathered[power as usize] = gathered[power as usize].clone() + d.clone() * raw(part);
                 add(part, d * r.fixed_power(f64::from(power)));
             } else {
-                for part in Raw::of(named).into_iter().filter(|part| !matches!(part, Raw::Dot(..))) {
+                for part in Raw::of(named).into_iter().filter(|part| !part.is_fixed()) {
                     let seeded = |wanted: Raw| {
                         Dual::new(raw(wanted), Handle::constant(if wanted == part { 1.0 } else { 0.0 }))
                     };
@@ -89,22 +98,22 @@ impl Source<'_> {
     }
 
     /// `∂ψ/∂I` by each invariant the tape names, the others held.
-    fn slopes_by_named(&self, trace: &Trace, inputs: &[Handle]) -> Vec<Handle> {
+    fn slopes_by_named(&self, trace: &Trace, inputs: &[Handle], psi: &Handle) -> Vec<Handle> {
         let lookup = |wanted: Raw| inputs[self.place(wanted)].clone();
         let named = self.live.iter().map(|&named| raw::invariant(named, &lookup));
         let nodes: Vec<_> = named.filter_map(|handle| handle.node()).collect();
-        let psi = self.evaluate(inputs);
         let operations = trace.operations();
         let leaves = Leaves::new(nodes.iter().copied(), operations.len());
-        let slope = |&node| slopes(trace, &operations, std::slice::from_ref(&psi), &leaves, node);
+        let slope = |&node| slopes(trace, &operations, std::slice::from_ref(psi), &leaves, node);
         nodes.iter().flat_map(slope).collect()
     }
 
-    fn evaluate(&self, inputs: &[Handle]) -> Handle {
+    fn evaluate(&self, trace: &Trace, inputs: &[Handle]) -> Handle {
         let lookup = |wanted: Raw| inputs[self.place(wanted)].clone();
         let leaf = |leaf: &Leaf| match *leaf {
             Leaf::Invariant(named) => raw::invariant(named, &lookup),
             Leaf::Parameter(index) => Handle::constant(self.parameters[index as usize]),
+            Leaf::Running(axis) => trace.running(axis),
         };
         self.psi.evaluate(leaf, &mut Vec::new())
     }
@@ -115,10 +124,5 @@ impl Source<'_> {
 
     fn place(&self, wanted: Raw) -> usize {
         self.raws.binary_search(&wanted).expect("every raw invariant of the tape is listed")
-    }
-
-    fn finish(&self, trace: Trace, outputs: Vec<Handle>) -> Program {
-        let (graph, nodes) = trace.finish(outputs);
-        Program::new(&graph, &nodes, self.raws.len())
     }
 }

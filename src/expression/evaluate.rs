@@ -38,12 +38,20 @@ impl<L> Tape<L> {
             Node::Multiply(a, b) => at(*a) * at(*b),
             Node::Divide(a, b) => at(*a) / at(*b),
             Node::Power(a, b) => values[*a as usize].power(&values[*b as usize]),
-            Node::Call(function, a) => call(*function, &values[*a as usize]),
+            Node::Call(function, a) => function.of(&values[*a as usize]),
             Node::Min(a, b) => values[*a as usize].min(&values[*b as usize]),
             Node::Max(a, b) => values[*a as usize].max(&values[*b as usize]),
             Node::Select { left, comparison, right, then, otherwise } => {
                 let at = |id: &NodeId| &values[*id as usize];
                 T::select(at(left), *comparison, at(right), at(then), at(otherwise))
+            }
+            Node::Directions { sphere, body } => {
+                let part = sphere.part.map(|cone| (cone.shape.map(at), at(cone.above)));
+                values[*body as usize].over_directions(sphere.order, part)
+            }
+            Node::Between { value, upper, at_upper, lower, at_lower } => {
+                let at = |id: &NodeId| &values[*id as usize];
+                at(value).between((at(upper), at(at_upper)), (at(lower), at(at_lower)))
             }
         }
     }
@@ -57,19 +65,22 @@ impl<L> Tape<L> {
     }
 }
 
-fn call<T: Scalar>(function: Function, x: &T) -> T {
-    match function {
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sqrt => x.sqrt(),
-        Function::Cbrt => x.cbrt(),
-        Function::Abs => x.abs(),
-        Function::Pos => x.pos(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Tanh => x.tanh(),
-        Function::Cosh => x.cosh(),
-        Function::Erf => x.erf(),
+impl Function {
+    /// The function of any scalar.
+    pub fn of<T: Scalar>(self, x: &T) -> T {
+        match self {
+            Self::Exp => x.exp(),
+            Self::Ln => x.ln(),
+            Self::Sqrt => x.sqrt(),
+            Self::Cbrt => x.cbrt(),
+            Self::Abs => x.abs(),
+            Self::Pos => x.pos(),
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Tan => x.tan(),
+            Self::Tanh => x.tanh(),
+            Self::Cosh => x.cosh(),
+            Self::Erf => x.erf(),
+        }
     }
 }

@@ -8,10 +8,12 @@
 pub(crate) mod dual_parts;
 pub mod elementary;
 mod evaluate;
+mod gauss;
 mod number;
 mod scalar;
 mod tape;
 
+pub use gauss::gauss_legendre;
 pub use number::Number;
 pub use scalar::{Part, Scalar};
-pub use tape::{Comparison, Function, Node, NodeId, Tape};
+pub use tape::{Comparison, Cone, Function, Node, NodeId, Sphere, Tape};

@@ -57,6 +57,20 @@ pub trait Scalar:
     /// `then` where `left <comparison> right` holds, `otherwise` where it does not.
     fn select(left: &Self, comparison: Comparison, right: &Self, then: &Self, otherwise: &Self) -> Self;
 
+    /// `∫ f(n) dS` of `f = self` over the sphere, or its part with `n · S n > above`: `S` as six
+    /// components 11, 22, 33, 12, 13, 23, and the bound.
+    ///
+    /// Only a traced graph can run over directions; the language lets no other formula ask for it.
+    fn over_directions(&self, _order: u16, _part: Option<([Self; 6], Self)>) -> Self {
+        unreachable!("only energies integrate over directions")
+    }
+
+    /// An integral `self` between two limits, each with the integrand there: its slope is
+    /// `f(upper) d upper − f(lower) d lower`, whatever rule gave its value.
+    fn between(&self, _upper: (&Self, &Self), _lower: (&Self, &Self)) -> Self {
+        self.clone()
+    }
+
     /// `|x|`, with derivative 1 at 0.
     fn abs(&self) -> Self {
         Self::select(self, Comparison::GreaterEqual, &Self::constant(0.0), self, &-self.clone())
@@ -279,6 +293,16 @@ impl<T: Part> Scalar for Dual<T> {
     fn select(left: &Self, comparison: Comparison, right: &Self, then: &Self, otherwise: &Self) -> Self {
         let part = |then: &T, otherwise: &T| T::select(&left.re, comparison, &right.re, then, otherwise);
         Self::new(part(&then.re, &otherwise.re), part(&then.eps, &otherwise.eps))
+    }
+    fn over_directions(&self, order: u16, part: Option<([Self; 6], Self)>) -> Self {
+        // the integrand vanishes where a part of the sphere ends, so its change adds nothing
+        let part = part.map(|(shape, above)| (shape.map(|s| s.re), above.re));
+        Self::new(self.re.over_directions(order, part.clone()), self.eps.over_directions(order, part))
+    }
+    fn between(&self, upper: (&Self, &Self), lower: (&Self, &Self)) -> Self {
+        let value = self.re.between((&upper.0.re, &upper.1.re), (&lower.0.re, &lower.1.re));
+        let slope = |(limit, integrand): (&Self, &Self)| limit.eps.clone() * integrand.re.clone();
+        Self::new(value, slope(upper) - slope(lower))
     }
 }
 

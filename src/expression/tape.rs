@@ -83,6 +83,44 @@ pub enum Node<L> {
         /// Value where it does not.
         otherwise: NodeId,
     },
+    /// `∫ f(n) dS` over directions `n` of the unit sphere.
+    Directions {
+        /// Which directions.
+        sphere: Sphere,
+        /// `f`, over leaves that stand for the components of `n`.
+        body: NodeId,
+    },
+    /// `∫ f(s) ds` between two limits; its derivatives are those of the limits, exactly.
+    Between {
+        /// The integral, by a rule of quadrature.
+        value: NodeId,
+        /// Upper limit.
+        upper: NodeId,
+        /// `f(upper)`
+        at_upper: NodeId,
+        /// Lower limit.
+        lower: NodeId,
+        /// `f(lower)`
+        at_lower: NodeId,
+    },
+}
+
+/// Directions of the unit sphere an integral runs over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// Degree of the polynomials in the components of `n` the rule is exact for.
+    pub order: u16,
+    /// The part of the sphere where it is not the whole.
+    pub part: Option<Cone>,
+}
+
+/// Directions with `n · S n > above`, `S` symmetric.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// Components of `S`: 11, 22, 33, 12, 13, 23.
+    pub shape: [NodeId; 6],
+    /// The bound, a number that does not depend on the leaves.
+    pub above: NodeId,
 }
 
 /// A formula: nodes in evaluation order, the last one its value.
@@ -122,6 +160,53 @@ impl<L> Tape<L> {
     /// The nodes, children before parents.
     pub fn nodes(&self) -> &[Node<L>] {
         &self.nodes
+    }
+
+    /// The same formula with the orders of its integrals over directions changed.
+    #[must_use]
+    pub fn with_orders(mut self, order: impl Fn(u16) -> u16) -> Self {
+        for node in &mut self.nodes {
+            if let Node::Directions { sphere, .. } = node {
+                sphere.order = order(sphere.order);
+            }
+        }
+        self
+    }
+
+    /// Orders of the integrals over directions.
+    pub fn orders(&self) -> impl Iterator<Item = u16> {
+        self.nodes.iter().filter_map(|node| match node {
+            Node::Directions { sphere, .. } => Some(sphere.order),
+            _ => None,
+        })
+    }
+
+    /// Places of the formula's `if`s.
+    pub fn choices(&self) -> impl Iterator<Item = NodeId> {
+        let is_choice = |(_, node): &(usize, &Node<L>)| matches!(node, Node::Select { .. });
+        self.nodes.iter().enumerate().filter(is_choice).map(|(place, _)| place as NodeId)
+    }
+
+    /// The same formula with one of its `if`s decided, whatever its condition.
+    #[must_use]
+    pub fn decided(mut self, choice: NodeId, holds: bool) -> Self {
+        if let Some(Node::Select { left, comparison, right, .. }) = self.nodes.get_mut(choice as usize) {
+            // a number compared with itself
+            *right = *left;
+            *comparison = if holds { Comparison::LessEqual } else { Comparison::Less };
+        }
+        self
+    }
+
+    /// `left − right` of the condition of one of the `if`s.
+    #[must_use]
+    pub fn margin(mut self, choice: NodeId) -> Self {
+        if let Some(Node::Select { left, right, .. }) = self.nodes.get(choice as usize) {
+            let margin = Node::Subtract(*left, *right);
+            self.nodes.truncate(choice as usize);
+            self.nodes.push(margin);
+        }
+        self
     }
 
     /// The leaves in order of first appearance on the tape, repetitions included.

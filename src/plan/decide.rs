@@ -68,7 +68,7 @@ impl<'a> Facts<'a> {
 fn invariants(material: &Material) -> impl Iterator<Item = Invariant> {
     material.energy.leaves().filter_map(|leaf| match leaf {
         Leaf::Invariant(invariant) => Some(*invariant),
-        Leaf::Parameter(_) => None,
+        Leaf::Parameter(_) | Leaf::Running(_) => None,
     })
 }
 
@@ -79,6 +79,7 @@ fn used_directions(material: &Material) -> Vec<usize> {
             Invariant::I4(a) | Invariant::I5(a) | Invariant::I4Bar(a) | Invariant::I5Bar(a) => {
                 vec![a as usize]
             }
+            Invariant::Component(a, _) => vec![a as usize],
             Invariant::I8(a, b) | Invariant::Green(a, b) => vec![a as usize, b as usize],
             _ => Vec::new(),
         })

@@ -2,6 +2,8 @@
 //!
 //! Owns the words an energy may use and the proof that `psi` is a pressure. Knows no material.
 
+mod integral;
+
 use super::evaluate::{Evaluator, Lets, Outcome, Scalar, Scope, Value};
 use super::file::{File, Mistakes, Reported};
 use super::members::{Members, ParameterDef};
@@ -149,33 +151,6 @@ pub(super) struct EnergyScope<'a> {
     lets: Lets,
 }
 
-impl EnergyScope<'_> {
-    fn directions<const N: usize>(
-        &self,
-        evaluator: &mut Evaluator<Leaf>,
-        outer: &dyn Scope<Leaf>,
-        function: &Name,
-        arguments: &[Argument],
-    ) -> Result<[u8; N], Reported> {
-        if arguments.len() != N {
-            return Err(evaluator.wrong_count(outer, function, N, arguments.len()));
-        }
-        let mut directions = [0; N];
-        for (direction, argument) in directions.iter_mut().zip(arguments) {
-            match evaluator.evaluate(outer, argument.value)? {
-                Value::Direction(index) => *direction = index,
-                other => {
-                    let file = Rc::clone(outer.file());
-                    let required = format!("`{}` takes a direction", function.text);
-                    let span = file.span(argument.value);
-                    return Err(evaluator.wrong_form(&file, &span, &other.describe(), &required));
-                }
-            }
-        }
-        Ok(directions)
-    }
-}
-
 impl Scope<Leaf> for EnergyScope<'_> {
     fn file(&self) -> &Rc<File> {
         &self.energy.file
@@ -188,7 +163,11 @@ impl Scope<Leaf> for EnergyScope<'_> {
         if self.energy.broken.contains(&name.text) {
             return Some(Err(Reported));
         }
-        if let Some(outcome) = self.lets.name(evaluator, self, name) {
+        // A name without arguments knows no direction an integral runs over.
+        let within = std::mem::take(&mut evaluator.integrating);
+        let outcome = self.lets.name(evaluator, self, name);
+        evaluator.integrating = within;
+        if let Some(outcome) = outcome {
             return Some(outcome);
         }
         if name.text == "fibres" && self.energy.fibres.is_some() {
@@ -208,31 +187,7 @@ impl Scope<Leaf> for EnergyScope<'_> {
         if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
             return Some(outcome);
         }
-        let single: Option<fn(u8) -> Invariant> = match function.text.as_str() {
-            "I4" => Some(Invariant::I4),
-            "I5" => Some(Invariant::I5),
-            "I4bar" => Some(Invariant::I4Bar),
-            "I5bar" => Some(Invariant::I5Bar),
-            _ => None,
-        };
-        let pair: Option<fn(u8, u8) -> Invariant> = match function.text.as_str() {
-            "I8" => Some(Invariant::I8),
-            "E" => Some(Invariant::Green),
-            _ => None,
-        };
-        let invariant = match (single, pair) {
-            (Some(single), _) => {
-                self.directions::<1>(evaluator, outer, function, arguments).map(|[a]| single(a))
-            }
-            // Both are symmetric in their directions.
-            (_, Some(pair)) => self
-                .directions::<2>(evaluator, outer, function, arguments)
-                .map(|[a, b]| pair(a.min(b), a.max(b))),
-            _ => return None,
-        };
-        Some(invariant.map(|invariant| {
-            Value::scalar(evaluator.graph.leaf(Leaf::Invariant(invariant)), Dimension::NUMBER)
-        }))
+        integral::call(evaluator, outer, function, arguments)
     }
 
     fn names(&self) -> Vec<String> {

@@ -3,7 +3,7 @@
 //! Owns the step between an expression and its tape. Every node is stored once, so a `let` used ten
 //! times is computed once. Knows neither text nor what a leaf means.
 
-use crate::expression::{Comparison, Function, Node, NodeId, Tape};
+use crate::expression::{Comparison, Cone, Function, Node, NodeId, Scalar, Sphere, Tape};
 use std::collections::HashMap;
 
 /// Nodes over leaves of type `L`, children before parents.
@@ -15,7 +15,7 @@ pub(super) struct Graph<L> {
 }
 
 /// Identity of a node: its operation, its children, the bits of its constant.
-type Key = (u8, u64, NodeId, NodeId, NodeId, NodeId);
+type Key = (u8, u64, [NodeId; 8]);
 
 impl<L: Clone + PartialEq> Graph<L> {
     pub(super) fn new() -> Self {
@@ -86,17 +86,46 @@ impl<L: Clone + PartialEq> Graph<L> {
         self.fold(Node::Select { left, comparison, right, then, otherwise })
     }
 
-    /// The formula of a node as a tape of exactly the nodes it needs.
-    pub(super) fn tape(&self, root: NodeId) -> Tape<L> {
+    /// `∫ body dS` over directions.
+    pub(super) fn directions(&mut self, sphere: Sphere, body: NodeId) -> NodeId {
+        self.intern(Node::Directions { sphere, body })
+    }
+
+    /// An integral of this value between an upper and a lower limit, each with the integrand there.
+    pub(super) fn between(
+        &mut self,
+        value: NodeId,
+        (upper, at_upper): (NodeId, NodeId),
+        (lower, at_lower): (NodeId, NodeId),
+    ) -> NodeId {
+        self.fold(Node::Between { value, upper, at_upper, lower, at_lower })
+    }
+
+    /// Whether a leaf of this kind is needed for the value of a node.
+    pub(super) fn reads(&self, root: NodeId, wanted: impl Fn(&L) -> bool) -> bool {
+        self.needed(root).iter().enumerate().any(|(id, &needed)| {
+            needed && matches!(self.nodes[id], Node::Leaf(leaf) if wanted(&self.leaves[leaf]))
+        })
+    }
+
+    /// Which nodes the value of one needs, itself included.
+    fn needed(&self, root: NodeId) -> Vec<bool> {
         let mut needed = vec![false; root as usize + 1];
         needed[root as usize] = true;
         for id in (0..=root as usize).rev() {
             if needed[id] {
-                for child in children(&self.nodes[id]) {
+                let (count, ids) = children(&self.nodes[id]);
+                for &child in &ids[..count] {
                     needed[child as usize] = true;
                 }
             }
         }
+        needed
+    }
+
+    /// The formula of a node as a tape of exactly the nodes it needs.
+    pub(super) fn tape(&self, root: NodeId) -> Tape<L> {
+        let needed = self.needed(root);
         let mut place = vec![0; root as usize + 1];
         let mut tape = Tape::new();
         for id in (0..=root as usize).filter(|&id| needed[id]) {
@@ -135,36 +164,53 @@ impl<L: Clone + PartialEq> Graph<L> {
 }
 
 fn key(node: &Node<usize>) -> Key {
-    match *node {
-        Node::Constant(value) => (0, value.to_bits(), 0, 0, 0, 0),
-        Node::Leaf(leaf) => (1, leaf as u64, 0, 0, 0, 0),
-        Node::Negate(a) => (2, 0, a, 0, 0, 0),
-        Node::Add(a, b) => (3, 0, a, b, 0, 0),
-        Node::Subtract(a, b) => (4, 0, a, b, 0, 0),
-        Node::Multiply(a, b) => (5, 0, a, b, 0, 0),
-        Node::Divide(a, b) => (6, 0, a, b, 0, 0),
-        Node::Power(a, b) => (7, 0, a, b, 0, 0),
-        Node::Call(function, a) => (8, function as u64, a, 0, 0, 0),
-        Node::Min(a, b) => (9, 0, a, b, 0, 0),
-        Node::Max(a, b) => (10, 0, a, b, 0, 0),
-        Node::Select { left, comparison, right, then, otherwise } => {
-            (11, comparison as u64, left, right, then, otherwise)
-        }
-    }
+    let (_, ids) = children(node);
+    let (kind, word) = match *node {
+        Node::Constant(value) => (0, value.to_bits()),
+        Node::Leaf(leaf) => (1, leaf as u64),
+        Node::Negate(_) => (2, 0),
+        Node::Add(..) => (3, 0),
+        Node::Subtract(..) => (4, 0),
+        Node::Multiply(..) => (5, 0),
+        Node::Divide(..) => (6, 0),
+        Node::Power(..) => (7, 0),
+        Node::Call(function, _) => (8, function as u64),
+        Node::Min(..) => (9, 0),
+        Node::Max(..) => (10, 0),
+        Node::Select { comparison, .. } => (11, comparison as u64),
+        Node::Directions { sphere, .. } if sphere.part.is_some() => (12, u64::from(sphere.order)),
+        Node::Directions { sphere, .. } => (13, u64::from(sphere.order)),
+        Node::Between { .. } => (14, 0),
+    };
+    (kind, word, ids)
 }
 
-fn children<L>(node: &Node<L>) -> Vec<NodeId> {
+/// The children of a node: so many of the list.
+fn children<L>(node: &Node<L>) -> (usize, [NodeId; 8]) {
+    let listed = |ids: &[NodeId]| {
+        let mut all = [0; 8];
+        all[..ids.len()].copy_from_slice(ids);
+        (ids.len(), all)
+    };
     match *node {
-        Node::Constant(_) | Node::Leaf(_) => vec![],
-        Node::Negate(a) | Node::Call(_, a) => vec![a],
+        Node::Constant(_) | Node::Leaf(_) => listed(&[]),
+        Node::Negate(a) | Node::Call(_, a) => listed(&[a]),
         Node::Add(a, b)
         | Node::Subtract(a, b)
         | Node::Multiply(a, b)
         | Node::Divide(a, b)
         | Node::Power(a, b)
         | Node::Min(a, b)
-        | Node::Max(a, b) => vec![a, b],
-        Node::Select { left, right, then, otherwise, .. } => vec![left, right, then, otherwise],
+        | Node::Max(a, b) => listed(&[a, b]),
+        Node::Select { left, right, then, otherwise, .. } => listed(&[left, right, then, otherwise]),
+        Node::Directions { sphere: Sphere { part: None, .. }, body } => listed(&[body]),
+        Node::Directions {
+            sphere: Sphere { part: Some(Cone { shape: [a, b, c, d, e, f], above }), .. },
+            body,
+        } => listed(&[body, above, a, b, c, d, e, f]),
+        Node::Between { value, upper, at_upper, lower, at_lower } => {
+            listed(&[value, upper, at_upper, lower, at_lower])
+        }
     }
 }
 
@@ -190,51 +236,40 @@ pub(super) fn renumber<L, M>(node: &Node<L>, place: &[NodeId], leaf: impl Fn(&L)
             then: at(then),
             otherwise: at(otherwise),
         },
+        Node::Directions { sphere, body } => {
+            let cone = |cone: Cone| Cone { shape: cone.shape.map(at), above: at(cone.above) };
+            Node::Directions { sphere: Sphere { part: sphere.part.map(cone), ..sphere }, body: at(body) }
+        }
+        Node::Between { value, upper, at_upper, lower, at_lower } => Node::Between {
+            value: at(value),
+            upper: at(upper),
+            at_upper: at(at_upper),
+            lower: at(lower),
+            at_lower: at(at_lower),
+        },
     }
 }
 
-/// Value of an operation from the values of its children.
+/// Value of an operation from the values of its children, as a tape evaluates it.
 fn apply<L>(node: &Node<L>, value: impl Fn(NodeId) -> Option<f64>) -> Option<f64> {
     Some(match *node {
         Node::Constant(constant) => constant,
-        Node::Leaf(_) => return None,
+        Node::Leaf(_) | Node::Directions { .. } => return None,
         Node::Negate(a) => -value(a)?,
         Node::Add(a, b) => value(a)? + value(b)?,
         Node::Subtract(a, b) => value(a)? - value(b)?,
         Node::Multiply(a, b) => value(a)? * value(b)?,
         Node::Divide(a, b) => value(a)? / value(b)?,
         Node::Power(a, b) => libm::pow(value(a)?, value(b)?),
-        Node::Call(function, a) => function_value(function, value(a)?),
-        Node::Min(a, b) => value(a)?.min(value(b)?),
-        Node::Max(a, b) => value(a)?.max(value(b)?),
+        Node::Call(function, a) => function.of(&value(a)?),
+        Node::Min(a, b) => Scalar::min(&value(a)?, &value(b)?),
+        Node::Max(a, b) => Scalar::max(&value(a)?, &value(b)?),
         Node::Select { left, comparison, right, then, otherwise } => {
-            let (left, right) = (value(left)?, value(right)?);
-            let holds = match comparison {
-                Comparison::Less => left < right,
-                Comparison::LessEqual => left <= right,
-                Comparison::Greater => left > right,
-                Comparison::GreaterEqual => left >= right,
-            };
+            let holds = comparison.holds(value(left)?, value(right)?);
             if holds { value(then)? } else { value(otherwise)? }
         }
+        Node::Between { value: integral, .. } => value(integral)?,
     })
-}
-
-fn function_value(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Exp => libm::exp(x),
-        Function::Ln => libm::log(x),
-        Function::Sqrt => x.sqrt(),
-        Function::Cbrt => libm::cbrt(x),
-        Function::Abs => x.abs(),
-        Function::Pos => x.max(0.0),
-        Function::Sin => libm::sin(x),
-        Function::Cos => libm::cos(x),
-        Function::Tan => libm::tan(x),
-        Function::Tanh => libm::tanh(x),
-        Function::Cosh => libm::cosh(x),
-        Function::Erf => libm::erf(x),
-    }
 }
 
 #[cfg(test)]

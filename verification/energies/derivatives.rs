@@ -67,7 +67,7 @@ fn density_of<T: Scalar>(psi: &Tape<Leaf>, parameters: &[f64], f: &Nine<T>, dire
         Leaf::Invariant(Invariant::J) => jacobian.clone(),
         Leaf::Invariant(Invariant::I1Bar) => squares.clone() * shrink.clone(),
         Leaf::Invariant(Invariant::I4Bar(a)) => fourth(&directions[usize::from(*a)]) * shrink.clone(),
-        Leaf::Invariant(other) => unreachable!("the law reads no {other:?}"),
+        other => unreachable!("the law reads no {other:?}"),
     };
     psi.evaluate(leaf, &mut Vec::new())
 }

@@ -5,6 +5,7 @@ use super::Claim;
 mod audits;
 mod closed_forms;
 mod derivatives;
+mod integrals;
 mod known_values;
 pub(crate) mod laws;
 mod stretches;
@@ -30,6 +31,11 @@ pub(crate) const CLAIMS: &[Claim] = &[
     stretches::EQUAL_STRETCHES,
     stretches::EQUAL_STRETCHES_TANGENT,
     stretches::REAL_EXPONENTS,
+    integrals::SPHERE,
+    integrals::STRETCHED,
+    integrals::STRETCHED_STRESS,
+    integrals::SLOPE,
+    integrals::SLOPE_STRESS,
     audits::MODULI,
     audits::ONE_SIDED,
     audits::GROWTH,

@@ -25,6 +25,8 @@ pub(in crate::scene) struct Evaluator<'m, L> {
     pub(in crate::scene) parameters: Vec<f64>,
     /// Where ramps stand and when they end, s.
     pub(in crate::scene) ramps: Vec<(Rc<File>, Span, f64)>,
+    /// Whether an integral is being read.
+    pub(in crate::scene) integrating: bool,
     depth: u32,
     evaluated: u32,
 }
@@ -36,6 +38,7 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
             mistakes,
             parameters: Vec::new(),
             ramps: Vec::new(),
+            integrating: false,
             depth: 0,
             evaluated: 0,
         }

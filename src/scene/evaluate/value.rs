@@ -74,7 +74,7 @@ impl Leaves for Leaf {
     fn value(&self, parameters: &[f64]) -> Option<f64> {
         match self {
             Leaf::Parameter(index) => parameters.get(*index as usize).copied(),
-            Leaf::Invariant(_) => None,
+            Leaf::Invariant(_) | Leaf::Running(_) => None,
         }
     }
 }

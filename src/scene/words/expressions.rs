@@ -63,6 +63,13 @@ pub(in crate::scene) static ENERGY_WORDS: &[Word] = &[
     word("I5bar", "I5bar(a)", ENERGY, "J^(-4/3) I5(a)"),
     word("I8", "I8(a, b)", ENERGY, "F a . F b"),
     word("E", "E(a, b)", ENERGY, "Component of the Green strain, (F a . F b - a . b)/2."),
+    word("dot", "dot(a, b)", ENERGY, "Cosine of the angle of two directions at rest, a . b."),
+    word(
+        "integrate",
+        "integrate(n in sphere(24), x)",
+        ENERGY,
+        "Integral over the directions n of the unit sphere (4 pi of 1) by a product rule exact to the degree given; `sphere(24, I4bar(n) > 1)` takes only the directions that are stretched, where x must grow from 0. Or `integrate(s in 1 .. l, x)` of an x that depends on s alone: its slope by l is x at l, exactly.",
+    ),
 ];
 
 /// Coordinates of functions of place and time.

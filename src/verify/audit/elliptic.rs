@@ -36,7 +36,7 @@ pub struct EllipticPath {
 
 /// A way to stretch a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Way {
+pub(super) enum Way {
     /// `F = λ a⊗a + λ^(-1/2) (I − a⊗a)`
     Isochoric(Vec3),
     /// `F = λ a⊗a + (I − a⊗a)`
@@ -46,7 +46,7 @@ enum Way {
 }
 
 impl Way {
-    fn state(self, stretch: f64) -> Mat3 {
+    pub(super) fn state(self, stretch: f64) -> Mat3 {
         match self {
             Self::Isochoric(a) => {
                 let line = a * a.transpose();
@@ -58,8 +58,8 @@ impl Way {
     }
 }
 
-/// Scans isochoric stretch along every direction, confined stretch along the first, and dilation.
-pub(super) fn paths(subject: &Subject, named: &[(String, Vec3)]) -> Vec<EllipticPath> {
+/// Isochoric stretch along every direction, confined stretch along the first, and dilation.
+pub(super) fn ways(named: &[(String, Vec3)]) -> Vec<(String, Way)> {
     let mut ways: Vec<(String, Way)> = named
         .iter()
         .map(|(name, a)| (format!("isochoric stretch along {name}"), Way::Isochoric(*a)))
@@ -68,6 +68,12 @@ pub(super) fn paths(subject: &Subject, named: &[(String, Vec3)]) -> Vec<Elliptic
         ways.push((format!("confined stretch along {name}"), Way::Confined(*a)));
     }
     ways.push(("dilation".into(), Way::Dilation));
+    ways
+}
+
+/// Scans the ways outwards from rest.
+pub(super) fn paths(subject: &Subject, named: &[(String, Vec3)]) -> Vec<EllipticPath> {
+    let ways = ways(named);
     let rest = ellipticity(subject, &Mat3::identity());
     ways.into_par_iter().map(|(path, way)| scan(subject, path, way, rest)).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::STRETCHES;
 use super::elliptic::EllipticPath;
+use super::quadrature::Quadrature;
 use super::render::quantity;
 use crate::energy::Kink;
 use crate::energy::audit::{
@@ -63,24 +64,46 @@ const EDGE: usize = 8;
 const VOLUMES: ([f64; 2], usize) = ([0.5, 2.0], 60);
 
 /// All properties, the indispensable ones first.
-pub(super) fn properties(subject: &Subject, ellipticity: &[EllipticPath]) -> Vec<Property> {
+pub(super) fn properties(
+    subject: &Subject,
+    ellipticity: &[EllipticPath],
+    quadrature: Option<Quadrature>,
+) -> Vec<Property> {
     let f = generic(subject);
-    vec![
+    let mut properties = vec![
         derivative(subject, &f),
         stress_free(subject),
         round_off("objective", "|P(QF) - Q P(F)|/|P|", objectivity_error(subject, &f)),
         round_off("symmetric_tangent", "|A - A^T|/|A|", asymmetry_of_tangent(subject, &f)),
-        round_off(
-            "material_symmetry",
-            "|P(FQ^T; Qa) - P(F; a)Q^T|/|P|",
-            material_symmetry_error(subject, &f),
-        ),
+        material_symmetry(subject, &f, quadrature.as_ref()),
         elliptic(ellipticity),
         ordered(subject),
         convex_in_volume(subject),
         grows(subject),
         feels_volume(subject),
-    ]
+    ];
+    properties.extend(quadrature.map(integrated));
+    properties
+}
+
+/// A rule over the whole sphere stands in the common axes; turning the body turns it by its error.
+fn material_symmetry(subject: &Subject, f: &Mat3, quadrature: Option<&Quadrature>) -> Property {
+    let error = material_symmetry_error(subject, f);
+    let what = "|P(FQ^T; Qa) - P(F; a)Q^T|/|P|";
+    let bound = quadrature.map_or(ROUND_OFF, |quadrature| ROUND_OFF.max(10.0 * quadrature.worst));
+    let standing = hard(error <= bound);
+    let found = format!("{what} = {error:.1e}");
+    Property { property: "material_symmetry", standing, measured: error, bound: Some(bound), found }
+}
+
+/// Relative error of a stress that no measurement of tissue could tell.
+const INTEGRATED: f64 = 1e-6;
+
+fn integrated(quadrature: Quadrature) -> Property {
+    let Quadrature { order, worst, place } = quadrature;
+    let found = format!("order {order} against twice that: {worst:.1e} of the stress at {place}");
+    let standing = soft(worst <= INTEGRATED);
+    Property { property: "integration", standing, measured: worst, bound: Some(INTEGRATED), found }
 }
 
 /// A state of some 5 % strain without any symmetry, or a smaller one where stiff exponentials overflow.

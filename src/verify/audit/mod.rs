@@ -4,7 +4,9 @@
 //! those of [`crate::energy::audit`]; the text is in `render`.
 
 mod elliptic;
+mod joins;
 mod judge;
+mod quadrature;
 mod render;
 mod rest;
 
@@ -68,6 +70,12 @@ impl MaterialAudit {
         let moduli = moduli(&subject);
         let ellipticity = elliptic::paths(&subject, &named);
         let varying = material.directions.iter().chain(&material.frame).filter(|direction| varies(direction));
+        let mut properties = judge::properties(
+            &subject,
+            &ellipticity,
+            quadrature::error(&subject, material, &values, &named)?,
+        );
+        properties.extend(joins::property(&subject, material, &values, &named)?);
         let mut varying: Vec<String> = varying.map(|direction| direction.name.clone()).collect();
         varying.dedup();
         Ok(Self {
@@ -84,7 +92,7 @@ impl MaterialAudit {
                 .map(|(name, along)| Along::of(&subject, material.density, name, along))
                 .collect(),
             stretches: STRETCHES,
-            properties: judge::properties(&subject, &ellipticity),
+            properties,
             ellipticity,
         })
     }
