@@ -3,8 +3,6 @@
 //! Owns which directions a law is evaluated in and with which weights. Knows nothing of the integrand
 //! but whether it tells a direction from its opposite.
 
-#![expect(clippy::needless_range_loop, reason = "one lane index runs through many rows")]
-
 use super::lanes::{Vector, ZERO};
 use super::program::{LANES, Row};
 use super::stretch::symmetric_eigen;
