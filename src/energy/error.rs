@@ -22,6 +22,8 @@ pub enum EnergyError {
     },
     /// An exact motion is asked of an energy of principal stretches.
     StretchOfMotion,
+    /// An exact motion is asked of an energy that integrates over directions.
+    IntegralOfMotion,
     /// The tangent is not finite at this state, so no wave speed exists.
     NonFiniteTangent {
         /// Volume map of the state.
@@ -44,6 +46,11 @@ impl fmt::Display for EnergyError {
             Self::NoSuchStretch { index } => {
                 write!(f, "the energy reads principal stretch {index}; 0, 1 and 2 exist")
             }
+            Self::IntegralOfMotion => write!(
+                f,
+                "the body force of an exact motion cannot be derived from an integral over directions; \
+                 sum over a few fibres instead"
+            ),
             Self::StretchOfMotion => write!(
                 f,
                 "the body force of an exact motion cannot be derived from principal stretches; \

@@ -121,12 +121,19 @@ fn density<T: Scalar>(psi: &Tape<Leaf>, parameters: &[f64], f: &[[T; 3]; 3], dir
         }
         Raw::Eighth(a, b) => dot(&image(a), &image(b)),
         Raw::Dot(a, b) => dot(&directions[usize::from(a)], &directions[usize::from(b)]),
+        Raw::Metric(i, k) => {
+            let column = |k: u8| [0, 1, 2].map(|i: usize| f[i][usize::from(k)].clone());
+            dot(&column(i), &column(k))
+        }
+        Raw::Component(a, i) => directions[usize::from(a)][usize::from(i)].clone(),
         // refused by `ExactMotion::compile`
         Raw::Stretch(_) => T::constant(f64::NAN),
     };
     let leaf = |leaf: &Leaf| match *leaf {
         Leaf::Invariant(named) => raw::invariant(named, &value),
         Leaf::Parameter(index) => T::constant(parameters[index as usize]),
+        // refused by `ExactMotion::compile`
+        Leaf::Running(_) => T::constant(f64::NAN),
     };
     psi.evaluate(leaf, &mut Vec::new())
 }
@@ -175,15 +182,16 @@ impl ExactMotion {
                 Leaf::Invariant(Invariant::Stretch(_) | Invariant::StretchBar(_)) => {
                     return Err(EnergyError::StretchOfMotion);
                 }
+                Leaf::Running(_) => return Err(EnergyError::IntegralOfMotion),
                 _ => {}
             }
         }
         let traced = |outputs: &dyn Fn(&[Handle; 4]) -> Vec<Handle>| {
-            let trace = Trace::new(false);
+            let trace = Trace::default();
             let at = [0, 1, 2, TIME].map(|place| trace.input(place));
             let outputs = outputs(&at);
-            let (graph, nodes) = trace.finish(outputs);
-            Program::new(&graph, &nodes, at.len())
+            let nodes = trace.nodes(&outputs);
+            Program::new(&trace.graph(), &nodes, at.len())
         };
         Ok(Self {
             position: traced(&|at| source.vector(source.position, at).to_vec()),
