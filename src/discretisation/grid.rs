@@ -90,8 +90,9 @@ fn cell_integrals(corner: &[Vec3; 8]) -> ([f64; 8], f64) {
 /// | `corner` | corners, counter-clockwise seen from outside | m |
 ///
 /// Returns the integrals in m². The integrand is of degree 2 in each variable, so the rule is exact, and
-/// summed over a grid's boundary it is `∫ ∇N_a dV` to round-off.
-fn quad_integrals(corner: &[Vec3; 4]) -> [Vec3; 4] {
+/// summed over a grid's boundary it is `∫ ∇N_a dV` to round-off. Of current corners it is the gradient of
+/// the enclosed volume with respect to the corner, and over a closed surface forces and moments cancel.
+pub fn quad_integrals(corner: &[Vec3; 4]) -> [Vec3; 4] {
     const PLACE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let mut integral = [Vec3::zeros(); 4];
     for point in PLACE {

@@ -20,6 +20,7 @@ mod stability;
 mod stencil;
 
 pub use error::DiscretisationError;
+pub use grid::quad_integrals;
 pub use kernel::Kernel;
 pub use particles::{FaceNodes, Particles};
 pub use shape::Shape;

@@ -10,6 +10,7 @@ mod point;
 mod probe;
 mod residual;
 mod totals;
+mod twist;
 
 pub use field::{cauchy_stress, field_value, von_mises};
 pub use involution::{Involutions, involutions};

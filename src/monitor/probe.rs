@@ -7,6 +7,7 @@ use super::involution::{Involutions, involutions};
 use super::motion::{MotionErrors, motion_errors};
 use super::point::Interpolation;
 use super::totals::{Totals, totals};
+use super::twist::Layers;
 use crate::expression::Tape;
 use crate::scene::{Field, Probe, Region, Scene, SymmetryPlane};
 use crate::solver::{BodyState, Simulation};
@@ -70,6 +71,8 @@ enum Prepared {
     Plain,
     /// Particles and weights.
     Weighted { body: usize, weights: Vec<(usize, f64)>, factor: f64 },
+    /// Layers of a body along an axis.
+    Layers { body: usize, layers: Layers },
 }
 
 impl Observer {
@@ -137,6 +140,14 @@ impl Observer {
             Probe::Time => simulation.time(),
             Probe::Displacement { axis, .. } | Probe::DisplacementAt { axis, .. } => {
                 weighted(&|body, a| field_value(body, a, Field::Displacement(*axis)))
+            }
+            Probe::Twist { .. } => {
+                let found = self.prepared.iter().find(|(known, _)| known == probe);
+                match found {
+                    Some((_, Prepared::Layers { body, layers })) => layers.twist(&bodies[*body]),
+                    // planes of symmetry cut the body: their images turn the other way, or along with it
+                    _ => 0.0,
+                }
             }
             Probe::Reaction { axis, .. } => weighted(&|body, a| {
                 -body.density * body.particles.volume[a] * body.acceleration[a].0[*axis as usize]
@@ -208,6 +219,13 @@ fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepare
             let found = Interpolation::new(&state.particles, &(*point).into())
                 .ok_or_else(|| ProbeError::OutsideBody { body: state.name.clone(), point: *point })?;
             Prepared::Weighted { body: *body, weights: found.weights, factor: 1.0 }
+        }
+        Probe::Twist { region } if scene.symmetry.iter().all(Option::is_none) => {
+            let normal = scene.bodies[region.body].shape.face_normal(&region.face);
+            normal.map_or(Prepared::Plain, |normal| Prepared::Layers {
+                body: region.body,
+                layers: Layers::new(&bodies[region.body].particles, &normal),
+            })
         }
         Probe::Reaction { region, axis } => reaction(scene, bodies, region, *axis as usize),
         Probe::SectionForce { body, normal, at, axis } => {

@@ -176,7 +176,12 @@ fn loads_reason(scene: &Scene) -> String {
     }
     match scene.loads.first() {
         None => "no body force and no traction in the scene".into(),
-        Some(Load::Traction { place, .. } | Load::BodyForce { place, .. } | Load::Gravity { place, .. }) => {
+        Some(
+            Load::Traction { place, .. }
+            | Load::Pressure { place, .. }
+            | Load::BodyForce { place, .. }
+            | Load::Gravity { place, .. },
+        ) => {
             let more = scene.loads.len() - 1;
             if more == 0 { line(place) } else { format!("{} and {more} more", line(place)) }
         }
@@ -264,6 +269,17 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
             Loading::Dynamic => "loading is dynamic: inertia is part of the answer".into(),
         },
     );
+    if scene.bodies.len() > 1 {
+        add(
+            Pass::Bond,
+            !scene.bonds.is_empty(),
+            match scene.bonds.as_slice() {
+                [] => "the bodies are not bonded: each moves for itself".into(),
+                [bond] => format!("`bond`, {}", line(&bond.place)),
+                [bond, more @ ..] => format!("`bond`, {} and {} more", line(&bond.place), more.len()),
+            },
+        );
+    }
     add(
         Pass::WaveSpeed,
         run.wave_speed_every > 0,

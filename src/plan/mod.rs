@@ -58,6 +58,8 @@ pub enum Pass {
     ExternalForce,
     /// Damping relative to the affine motion.
     AffineDamping,
+    /// Forces shared on the common nodes of bonded bodies; asked only where there are several.
+    Bond,
     /// Refresh of the wave speeds of (42).
     WaveSpeed,
 }

@@ -17,7 +17,7 @@ pub fn frame(simulation: &Simulation, values: &[String], provenance: &[String]) 
         |value: fn(&BodyState, usize) -> Mat3| -> Vec<Mat3> { each().map(|(b, a)| value(b, a)).collect() };
     let velocity = || -> Vec<Vec3> { each().map(|(body, a)| body.v[a].vector()).collect() };
     let stresses = || -> Vec<f64> { each().map(|(b, a)| von_mises(&cauchy_stress(b, a))).collect() };
-    let fields = values
+    let mut fields: Vec<FrameField> = values
         .iter()
         .filter_map(|name| match name.as_str() {
             "velocity" => Some(FrameField::vector(name, "m/s", &velocity())),
@@ -30,6 +30,11 @@ pub fn frame(simulation: &Simulation, values: &[String], provenance: &[String]) 
             _ => None,
         })
         .collect();
+    if bodies.len() > 1 {
+        let number =
+            bodies.iter().enumerate().flat_map(|(k, body)| std::iter::repeat_n(k as f64, body.len()));
+        fields.push(FrameField::scalar("body", "", &number.collect::<Vec<f64>>()));
+    }
     Frame {
         time: simulation.time(),
         reference: each().map(|(body, a)| body.particles.position[a]).collect(),

@@ -92,6 +92,8 @@ pub struct Scene {
     /// Planes of symmetry: through the centre of the bodies, normal to x, y, z; the part of greater
     /// coordinates is modelled.
     pub symmetry: [Option<SymmetryPlane>; 3],
+    /// Faces of two bodies that move as one.
+    pub bonds: Vec<Bond>,
     /// Prescribed motions of faces.
     pub prescribed: Vec<Prescribed>,
     /// Tractions and body forces.
@@ -147,6 +149,17 @@ pub struct Region {
     pub face: String,
 }
 
+/// Two faces of different bodies whose nodes are shared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bond {
+    /// Where it is declared.
+    pub place: Place,
+    /// One face.
+    pub first: Region,
+    /// The other.
+    pub second: Region,
+}
+
 /// Prescribed displacement of the nodes of a face; a free component is `None`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prescribed {
@@ -172,6 +185,15 @@ pub enum Load {
         region: Region,
         /// Its components.
         traction: [Tape<Coordinate>; 3],
+    },
+    /// Pressure on the deformed face, Pa.
+    Pressure {
+        /// Where it is declared.
+        place: Place,
+        /// Where it acts.
+        region: Region,
+        /// Its value, positive where it pushes.
+        pressure: Tape<Coordinate>,
     },
     /// Force per reference volume, N/m³.
     BodyForce {
@@ -357,6 +379,11 @@ pub enum Probe {
         point: [f64; 3],
         /// Component.
         axis: u8,
+    },
+    /// Angle a plane face has turned about its axis relative to the opposite one, rad.
+    Twist {
+        /// The face.
+        region: Region,
     },
     /// Force the support of a face exerts on the body, N.
     Reaction {

@@ -3,7 +3,6 @@
 //! Owns set-up: nodes, pairs, compiled laws, supports, initial state. Runs once.
 
 use super::admissible::{is_symmetric, starts_at_rest};
-use super::affine::AffineMotion;
 use super::body::{Block, BodyState, CHUNK, DirectionField};
 use super::constraint::Support;
 use super::dissipation::Speeds;
@@ -28,8 +27,6 @@ use crate::tensor::{Mat3, Vec3, cofactor, volume_map};
 pub struct Assembled {
     /// Its state.
     pub state: BodyState,
-    /// Its affine motion, empty unless loading is quasi-static.
-    pub affine: AffineMotion,
     /// Its external forces.
     pub external: ExternalForces,
 }
@@ -53,11 +50,6 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         .wave_speeds(&Mat3::identity(), directions.of(0), material.density)
         .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })?;
     let supports = supports(scene, plan, index, &particles, &mut scratch);
-    let affine = if plan.runs(Pass::AffineDamping) {
-        AffineMotion::new(&supports, bounds(&particles.position))
-    } else {
-        AffineMotion::default()
-    };
     let external = ExternalForces::new(&scene.loads, index, &particles, material.density);
     let saves = scene.run.integrator == Integrator::TvdRk2;
     let has_external = plan.carries(Field::ExternalForce);
@@ -112,7 +104,12 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
     }
     starts_at_rest(scene, index, &state)?;
     is_symmetric(scene, &state)?;
-    Ok(Assembled { state, affine, external })
+    // a face's normal is symmetric by itself; its quadrilaterals' only as the spacing vanishes
+    if external.follows() {
+        let BodyState { particles, x, inverse_volume, external: out, .. } = &mut state;
+        external.add_followers((&particles.position, x), inverse_volume, 0.0, out, &mut scratch);
+    }
+    Ok(Assembled { state, external })
 }
 
 /// Positions of a motion and their maps: `F = Grad_h x`, `H = cof F`, `J = det F`.
@@ -154,11 +151,6 @@ pub fn compile(material: &Material) -> Result<Law, SolveError> {
     let values: Vec<f64> = material.parameters.iter().map(|parameter| parameter.value).collect();
     Law::compile(&material.energy, &values)
         .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })
-}
-
-fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
-    let start = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
-    positions.iter().fold(start, |(low, high), x| (low.inf(x), high.sup(x)))
 }
 
 fn blocks(count: usize, plan: &Plan, saves: bool) -> Vec<Block> {

@@ -62,6 +62,28 @@ pub enum SolveError {
         /// Axis of the plane's normal.
         axis: char,
     },
+    /// Two faces that are bonded do not meet node by node.
+    NotBonded {
+        /// The first face, `body.face`.
+        first: String,
+        /// The second.
+        second: String,
+        /// Nodes of either face, where they touch, that lie on no node of the other.
+        unmatched: usize,
+        /// Reference position of the first of them, m.
+        position: Vec3,
+    },
+    /// A shared node of bonded bodies is told to move in two ways.
+    BondedApart {
+        /// Name of the body that says one.
+        first: String,
+        /// Name of the body that says another.
+        second: String,
+        /// The component.
+        axis: char,
+        /// Reference position of the node, m.
+        position: Vec3,
+    },
     /// The volume map left the domain of the energy.
     NonPositiveJacobian {
         /// Index of the particle in its body.
@@ -190,6 +212,19 @@ impl fmt::Display for SolveError {
             Self::NotSymmetric { what, axis } => write!(
                 f,
                 "{what} is not symmetric about the plane of symmetry normal to {axis}; leave {axis} out of `planes`"
+            ),
+            Self::NotBonded { first, second, unmatched, position: x } => write!(
+                f,
+                "`bond {first}` to `{second}`: {unmatched} nodes where the faces touch, the first at X = ({:.4e}, {:.4e}, \
+                 {:.4e}) m, lie on no node of the other; give both bodies the same spacing in the interface, faces that \
+                 begin and end on common nodes, and no jitter",
+                x.x, x.y, x.z
+            ),
+            Self::BondedApart { first, second, axis, position: x } => write!(
+                f,
+                "`{first}` and `{second}` are bonded at X = ({:.4e}, {:.4e}, {:.4e}) m, but their displacements along \
+                 {axis} are prescribed differently there; prescribe both alike or one of them",
+                x.x, x.y, x.z
             ),
             Self::NonPositiveJacobian { particle, body, position: x, time, jacobian, cause } => write!(
                 f,

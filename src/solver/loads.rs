@@ -1,7 +1,8 @@
-//! Tractions and body forces.
+//! Tractions, body forces, and the pressures that follow a face.
 //!
 //! Owns the external force per reference volume of every particle.
 
+use super::follower::Follower;
 use super::quad::Quad;
 use crate::discretisation::Particles;
 use crate::expression::Tape;
@@ -12,7 +13,8 @@ use crate::tensor::Vec3;
 #[derive(Debug, Clone, Default)]
 pub struct ExternalForces {
     terms: Vec<Term>,
-    /// Whether any force depends on time.
+    followers: Vec<Follower>,
+    /// Whether any force depends on time, or on positions that do.
     pub varies_in_time: bool,
 }
 
@@ -29,6 +31,7 @@ impl ExternalForces {
     pub fn new(loads: &[Load], body: usize, particles: &Particles, density: f64) -> Self {
         let everywhere = || (0..particles.position.len() as u32).map(|a| (a, 1.0)).collect();
         let mut terms = Vec::new();
+        let mut followers = Vec::new();
         for load in loads {
             match load {
                 Load::Traction { region, traction, .. } if region.body == body => {
@@ -36,6 +39,9 @@ impl ExternalForces {
                     let weight = |(&a, area): (&u32, &Vec3)| (a, area.norm() / particles.volume[a as usize]);
                     let nodes = face.nodes.iter().zip(&face.area).map(weight).collect();
                     terms.push(Term { components: traction.clone(), nodes });
+                }
+                Load::Pressure { region, pressure, .. } if region.body == body => {
+                    followers.extend(particles.face(&region.face).map(|face| Follower::new(face, pressure)));
                 }
                 Load::BodyForce { body: on, force, .. } if *on == body => {
                     terms.push(Term { components: force.clone(), nodes: everywhere() });
@@ -47,13 +53,33 @@ impl ExternalForces {
                 _ => {}
             }
         }
-        let varies_in_time = terms.iter().any(|term| {
+        let timed = terms.iter().any(|term: &Term| {
             term.components.iter().any(|tape| tape.leaves().any(|leaf| matches!(leaf, Coordinate::Time)))
         });
-        Self { terms, varies_in_time }
+        let varies_in_time = timed || !followers.is_empty();
+        Self { terms, followers, varies_in_time }
     }
 
-    /// Force per reference volume at a time.
+    /// Whether any force depends on the current positions.
+    pub fn follows(&self) -> bool {
+        !self.followers.is_empty()
+    }
+
+    /// Adds the forces of pressures on the deformed faces, see [`Follower::add`].
+    pub fn add_followers(
+        &self,
+        positions: (&[Vec3], &[Quad]),
+        inverse_volume: &[f64],
+        time: f64,
+        out: &mut [Quad],
+        scratch: &mut Vec<f64>,
+    ) {
+        for follower in &self.followers {
+            follower.add(positions, inverse_volume, time, out, scratch);
+        }
+    }
+
+    /// Force per reference volume at a time, of everything but pressures.
     ///
     /// ```text
     /// E_a = (A_a/V_a) t_B + f0_a                       [NB25 (31)]

@@ -3,9 +3,10 @@
 //! Owns the clock: the stable step, the integrators and the search for inadmissible states. Knows
 //! neither text, units nor files.
 
-use super::affine::AffineMotion;
+use super::affine::{AffineMotion, affine_motions};
 use super::assemble::{Assembled, assemble};
 use super::body::{Block, BodyState, CHUNK};
+use super::bond::Bonds;
 use super::diagnosis;
 use super::dissipation::Speeds;
 use super::error::SolveError;
@@ -25,6 +26,7 @@ pub struct Simulation {
     bodies: Vec<BodyState>,
     affine: Vec<AffineMotion>,
     external: Vec<ExternalForces>,
+    bonds: Bonds,
     run: Run,
     damping: f64,
     time: f64,
@@ -48,6 +50,7 @@ impl Simulation {
             bodies: Vec::new(),
             affine: Vec::new(),
             external: Vec::new(),
+            bonds: Bonds::default(),
             run: scene.run.clone(),
             damping: damping_rate(scene),
             time: 0.0,
@@ -63,11 +66,12 @@ impl Simulation {
             simulation.run.momentum_dissipation = InterfaceStates::Off;
         }
         for index in 0..scene.bodies.len() {
-            let Assembled { state, affine, external } = assemble(scene, plan, index)?;
+            let Assembled { state, external } = assemble(scene, plan, index)?;
             simulation.bodies.push(state);
-            simulation.affine.push(affine);
             simulation.external.push(external);
         }
+        simulation.bonds = Bonds::new(scene, &mut simulation.bodies)?;
+        simulation.affine = affine_motions(scene, plan, &simulation.bodies);
         for index in 0..simulation.bodies.len() {
             let terms = simulation.force_terms(index);
             let rate = dissipation_rate(&mut simulation.bodies[index], terms);
@@ -78,12 +82,14 @@ impl Simulation {
         simulation.refresh_stable_step()?;
         simulation.prepare_supports(simulation.stable_step);
         if simulation.damping > 0.0 {
-            for (body, affine) in simulation.bodies.iter_mut().zip(&simulation.affine) {
-                if body.launch_speed > 0.0 {
-                    // the scene's own start velocities stand
+            for (index, affine) in simulation.affine.iter().enumerate() {
+                // the scene's own start velocities stand, and bonded bodies start as one
+                if simulation.bodies.iter().any(|body| body.launch_speed > 0.0) {
                     continue;
                 }
-                affine.start(&body.particles.position, &body.supports, simulation.stable_step, &mut body.v);
+                affine.ends(&simulation.bodies, simulation.stable_step, &mut simulation.ends);
+                let body = &mut simulation.bodies[index];
+                affine.start(&body.particles.position, &simulation.ends, &mut body.v);
             }
         }
         simulation.last_step = simulation.stable_step;
@@ -173,6 +179,9 @@ impl Simulation {
     /// If the state has left the domain of an energy.
     pub fn synchronise(&mut self) -> Result<(), SolveError> {
         if self.run.integrator == Integrator::TvdRk2 && self.steps > 0 {
+            if self.follows() {
+                self.evaluate_external(self.time);
+            }
             self.evaluate(0.0)?;
         }
         self.meet_velocities();
@@ -228,6 +237,9 @@ impl Simulation {
             self.impose(step);
             if stage == 1 {
                 self.evaluate_external(next);
+            } else if self.follows() {
+                // what was evaluated last belongs to the second stage's positions
+                self.evaluate_external(self.time);
             }
             self.evaluate(0.0)?;
             self.drift(step);
@@ -258,12 +270,13 @@ impl Simulation {
         }
         if self.damping > 0.0 {
             let step = self.last_step;
-            for (body, affine) in self.bodies.iter_mut().zip(&self.affine) {
-                let BodyState { particles, supports, v, acceleration, .. } = body;
-                let reference = &particles.position;
-                affine.damp(self.damping, reference, supports, step, v, acceleration, &mut self.ends);
+            for (index, affine) in self.affine.iter().enumerate() {
+                affine.ends(&self.bodies, step, &mut self.ends);
+                let BodyState { particles, v, acceleration, .. } = &mut self.bodies[index];
+                affine.damp(self.damping, &particles.position, &self.ends, v, acceleration);
             }
         }
+        self.bonds.share_forces(&mut self.bodies);
         Ok(())
     }
 
@@ -307,6 +320,7 @@ impl Simulation {
                 support.impose(&mut body.v, step);
             }
         }
+        self.bonds.follow(&mut self.bodies);
     }
 
     fn advance_supports(&mut self, time: f64) {
@@ -326,11 +340,18 @@ impl Simulation {
         self.advance_supports(0.0);
     }
 
+    /// Whether any external force depends on the positions.
+    fn follows(&self) -> bool {
+        self.external.iter().any(ExternalForces::follows)
+    }
+
     fn evaluate_external(&mut self, time: f64) {
         for (body, external) in self.bodies.iter_mut().zip(&self.external) {
             if (external.varies_in_time || body.exact.is_some()) && !body.external.is_empty() {
-                let BodyState { particles, external: out, exact, law, .. } = body;
+                let BodyState { particles, external: out, exact, law, x, inverse_volume, .. } = body;
                 external.evaluate(&particles.position, time, out, &mut self.scratch);
+                let positions = (&particles.position[..], &x[..]);
+                external.add_followers(positions, inverse_volume, time, out, &mut self.scratch);
                 if let Some(exact) = exact {
                     let target = Target { law, reference: &particles.position, external: out };
                     exact.add_forces(target, time, &self.workspaces);

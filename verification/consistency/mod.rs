@@ -2,7 +2,10 @@
 
 use super::Claim;
 
+mod frames;
 mod gradient;
+mod laminate;
+mod pressure;
 mod traction;
 
 /// The claims of this directory, in the order of the report.
@@ -13,4 +16,12 @@ pub(crate) const CLAIMS: &[Claim] = &[
     gradient::ROTATION,
     traction::PATCH,
     traction::PATCH_HOURGLASS,
+    pressure::HYDROSTATIC,
+    laminate::SERIES,
+    laminate::PARALLEL,
+    frames::TURNED,
+    frames::MIRRORED,
+    frames::HOMOGENEOUS,
+    frames::UNITS,
+    frames::EIGHTH,
 ];

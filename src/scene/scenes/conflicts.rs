@@ -1,6 +1,6 @@
 //! Conditions that cannot hold together.
 
-use super::super::model::Load;
+use super::super::model::{Load, Region};
 use super::stage::Stage;
 use crate::expression::Tape;
 use crate::syntax::{Code, Diagnostic};
@@ -51,30 +51,50 @@ impl Stage<'_> {
         }
     }
 
-    /// Refuses a traction along a prescribed displacement of the same face: it could do nothing.
+    /// Components of the force of a pressure at the start: the normal of a plane face, or all.
+    fn pushed_by_pressure(&self, region: &Region) -> [bool; 3] {
+        let normal = self.scene.bodies[region.body].shape.face_normal(&region.face);
+        [0, 1, 2].map(|axis| normal.is_none_or(|normal| normal[axis] != 0.0))
+    }
+
+    /// Refuses a traction along a prescribed displacement of the same face, and a pressure on a face
+    /// that it cannot move: they could do nothing.
     pub(super) fn refuse_idle_tractions(&mut self) {
         let mut found = Vec::new();
         for (index, load) in self.scene.loads.iter().enumerate() {
-            let Load::Traction { region, traction, .. } = load else { continue };
-            for (support, prescribed) in self.scene.prescribed.iter().enumerate() {
-                let clash = (0..3).find(|&axis| {
-                    prescribed.displacement[axis].is_some() && traction[axis] != Tape::constant(0.0)
-                });
-                if let (Some(axis), true) = (clash, prescribed.region == *region) {
-                    found.push((index, support, axis, region.clone()));
+            let (region, acts): (_, [bool; 3]) = match load {
+                Load::Traction { region, traction, .. } => {
+                    (region, [0, 1, 2].map(|axis| traction[axis] != Tape::constant(0.0)))
                 }
+                Load::Pressure { region, .. } => (region, self.pushed_by_pressure(region)),
+                _ => continue,
+            };
+            for (support, prescribed) in self.scene.prescribed.iter().enumerate() {
+                if prescribed.region != *region {
+                    continue;
+                }
+                let held = |axis: &usize| prescribed.displacement[*axis].is_some();
+                let clash = match load {
+                    // a pressure that moves the face in one component at least does something
+                    Load::Pressure { .. } if (0..3).any(|axis| acts[axis] && !held(&axis)) => None,
+                    _ => (0..3).find(|axis| acts[*axis] && held(axis)),
+                };
+                found.extend(clash.map(|axis| (index, support, axis, region.clone())));
             }
         }
         for (load, support, axis, region) in found {
             let axis = ["x", "y", "z"][axis];
             let body = &self.scene.bodies[region.body].name;
+            let word = match &self.scene.loads[load] {
+                Load::Pressure { .. } => "pressure",
+                _ => "traction",
+            };
             let message = format!(
-                "the traction along {axis} on `{body}.{}` meets a prescribed displacement",
+                "the {word} along {axis} on `{body}.{}` meets a prescribed displacement",
                 region.face
             );
-            let diagnostic =
-                Diagnostic::new(Code::Conflict, message, self.load_sites[load].clone(), "traction")
-                    .with_label(self.sites[support].clone(), "prescribed here");
+            let diagnostic = Diagnostic::new(Code::Conflict, message, self.load_sites[load].clone(), word)
+                .with_label(self.sites[support].clone(), "prescribed here");
             self.mistakes.push(&self.file, diagnostic);
         }
     }

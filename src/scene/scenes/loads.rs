@@ -4,7 +4,7 @@ use super::super::evaluate::{Evaluator, Outcome, Scalar, Scope, Value, symbol};
 use super::super::file::Reported;
 use super::super::members::Members;
 use super::super::model::{Coordinate, Load, Start};
-use super::super::words::{BODY_FORCE, GRAVITY, START, TRACTION};
+use super::super::words::{BODY_FORCE, GRAVITY, PRESSURE, START, TRACTION};
 use super::stage::Stage;
 use crate::expression::Comparison;
 use crate::syntax::{Argument, BinaryOperator, Block, Code, Diagnostic, ExprKind, Name};
@@ -19,6 +19,18 @@ impl Stage<'_> {
         let site = members.required(self.mistakes, &file, &TRACTION, block, "value")?;
         let traction = self.fields(&site, "value", Dimension::PRESSURE, (true, true))?;
         let load = Load::Traction { place: file.place(&block.kind.span), region: region?, traction };
+        self.scene.loads.push(load);
+        self.load_sites.push(super::stage::heading(block));
+        Ok(())
+    }
+
+    pub(super) fn pressure(&mut self, block: &Block) -> Result<(), Reported> {
+        let file = Rc::clone(&self.file);
+        let members = Members::read(self.mistakes, &file, &PRESSURE, block);
+        let region = self.target_face(block);
+        let site = members.required(self.mistakes, &file, &PRESSURE, block, "value")?;
+        let pressure = self.field(&site, "value", Dimension::PRESSURE, (true, true))?;
+        let load = Load::Pressure { place: file.place(&block.kind.span), region: region?, pressure };
         self.scene.loads.push(load);
         self.load_sites.push(super::stage::heading(block));
         Ok(())

@@ -4,6 +4,7 @@
 //! record.
 
 mod bodies;
+mod bonds;
 mod conflicts;
 mod dimensions;
 mod expectations;
@@ -20,6 +21,7 @@ mod shapes;
 mod stage;
 mod supports;
 mod tables;
+mod timetable;
 
 use super::blocks::unknown_block;
 use super::file::{File, Reported};
@@ -35,10 +37,13 @@ use std::rc::Rc;
 const ORDER: &[&str] = &[
     "body",
     "symmetry",
+    "bond",
     "hold",
     "slide",
     "pull",
+    "move",
     "traction",
+    "pressure",
     "body_force",
     "gravity",
     "start",
@@ -74,10 +79,13 @@ pub(super) fn read(
             let _: Result<(), Reported> = match *kind {
                 "body" => stage.body(inner),
                 "symmetry" => stage.symmetry(inner),
+                "bond" => stage.bond(inner),
                 "hold" => stage.hold(inner),
                 "slide" => stage.slide(inner),
                 "pull" => stage.pull(inner),
+                "move" => stage.move_face(inner),
                 "traction" => stage.traction(inner),
+                "pressure" => stage.pressure(inner),
                 "body_force" => stage.body_force(inner),
                 "gravity" => stage.gravity(inner),
                 "start" => stage.start(inner),

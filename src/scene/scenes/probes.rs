@@ -60,6 +60,7 @@ impl Scope<Probe> for ProbeScope<'_> {
         }
         match (function.text.as_str(), arguments.len()) {
             ("displacement", _) => Some(self.displacement(evaluator, outer, function, arguments)),
+            ("twist", 1) => Some(self.twist(evaluator, outer, arguments)),
             ("reaction", 1) => Some(self.reaction(evaluator, outer, arguments)),
             ("section_force", _) => Some(self.section_force(evaluator, outer, function, arguments)),
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
@@ -182,6 +183,24 @@ impl ProbeScope<'_> {
             length(high[axis])
         );
         Err(evaluator.mistakes.report(file, Code::WrongForm, file.span(id), message, "outside", None))
+    }
+
+    /// `twist(column.ymax)`, of a plane face.
+    fn twist(
+        &self,
+        evaluator: &mut Evaluator<Probe>,
+        outer: &dyn Scope<Probe>,
+        arguments: &[Argument],
+    ) -> Outcome {
+        let file = outer.file();
+        let id = arguments[0].value;
+        let region = self.bodies.face_of(evaluator.mistakes, file, id)?;
+        if self.bodies.scene.bodies[region.body].shape.face_normal(&region.face).is_none() {
+            let message = format!("`{}` is not plane: it has no axis to turn about", file.expression(id));
+            let span = file.span(id);
+            return Err(evaluator.mistakes.report(file, Code::WrongForm, span, message, "not plane", None));
+        }
+        Ok(Value::scalar(evaluator.graph.leaf(Probe::Twist { region }), Dimension::NUMBER))
     }
 
     fn reaction(

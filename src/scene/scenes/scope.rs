@@ -39,8 +39,13 @@ impl Scope<Coordinate> for SceneScope<'_> {
         if let Some(outcome) = self.lets.call(evaluator, self, outer, function, arguments) {
             return Some(outcome);
         }
-        (self.time && function.text == "ramp")
-            .then(|| super::loads::ramp(evaluator, outer, function, arguments))
+        match function.text.as_str() {
+            "ramp" if self.time => Some(super::loads::ramp(evaluator, outer, function, arguments)),
+            "table" if self.time => {
+                Some(super::timetable::table(evaluator, outer, self.tables, function, arguments))
+            }
+            _ => None,
+        }
     }
 
     fn names(&self) -> Vec<String> {
@@ -56,12 +61,12 @@ impl Scope<Coordinate> for SceneScope<'_> {
     }
 
     fn functions(&self) -> Vec<String> {
-        if self.time { vec!["ramp".into()] } else { vec![] }
+        if self.time { vec!["ramp".into(), "table".into()] } else { vec![] }
     }
 
     fn hint(&self, name: &str) -> Option<String> {
         if self.tables.contains_key(name) {
-            return Some(format!("`{name}` is a table: its columns stand in `plot` and `expect`"));
+            return Some(format!("`{name}` is a table: its columns stand in `plot`, `expect` and `table`"));
         }
         match name {
             "x" | "y" | "z" if self.place => {

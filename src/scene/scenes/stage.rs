@@ -87,6 +87,7 @@ impl<'a> Stage<'a> {
                 materials: Vec::new(),
                 bodies: Vec::new(),
                 symmetry: [None, None, None],
+                bonds: Vec::new(),
                 prescribed: Vec::new(),
                 loads: Vec::new(),
                 starts: Vec::new(),

@@ -3,10 +3,10 @@
 use super::super::file::Reported;
 use super::super::members::{Members, Site};
 use super::super::model::{Coordinate, Prescribed, Region};
-use super::super::words::{HOLD, PULL, SLIDE};
+use super::super::words::{HOLD, MOVE, PULL, SLIDE};
 use super::stage::{Stage, heading, zero};
 use crate::expression::{Node, Tape};
-use crate::syntax::{Block, Code};
+use crate::syntax::{Block, Code, ExprKind};
 use crate::unit::Dimension;
 use std::rc::Rc;
 
@@ -49,6 +49,42 @@ impl Stage<'_> {
         let tangential = (grip == "rigid").then(zero);
         let displacement = self.along_normal(block, &region, &displacement, tangential)?;
         self.prescribe(block, region, displacement);
+        Ok(())
+    }
+
+    /// `move body.face { displacement = [u, v, free] }`
+    pub(super) fn move_face(&mut self, block: &Block) -> Result<(), Reported> {
+        let file = Rc::clone(&self.file);
+        let region = self.target_face(block);
+        let path = self.face_path(block);
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        let members = Members::read_with(self.mistakes, &file, &MOVE, block, self.overrides, &path);
+        let site = members.required(self.mistakes, &file, &MOVE, block, "displacement")?;
+        let components = match &site.file.tree.expr(site.id).kind {
+            ExprKind::List(ids) if ids.len() == 3 => [ids[0], ids[1], ids[2]],
+            // a vector by another name, or a mistake that is told as such
+            _ => {
+                let all = self.fields(&site, "displacement", Dimension::LENGTH, (true, true))?;
+                self.prescribe(block, region?, all.map(Some));
+                return Ok(());
+            }
+        };
+        let displacement = components.map(|id| {
+            if matches!(&site.file.tree.expr(id).kind, ExprKind::Name(word) if word == "free") {
+                return Ok(None);
+            }
+            let component = Site { file: Rc::clone(&site.file), id };
+            self.field(&component, "displacement", Dimension::LENGTH, (true, true)).map(Some)
+        });
+        let [x, y, z] = displacement;
+        let displacement = [x?, y?, z?];
+        if displacement.iter().all(Option::is_none) {
+            let message = "a face that is free in all components is not moved";
+            let span = site.file.span(site.id);
+            let help = Some("write `[1 mm, free, free]` or leave `move` out".into());
+            return Err(self.mistakes.report(&site.file, Code::WrongForm, span, message, "", help));
+        }
+        self.prescribe(block, region?, displacement);
         Ok(())
     }
 

@@ -39,6 +39,23 @@ pub(in crate::scene) static BODY: Declaration = Declaration {
     available: true,
 };
 
+/// `bond body.face { to = other.face }`
+pub(in crate::scene) static BOND: Declaration = Declaration {
+    word: "bond",
+    doc: "Makes the touching faces of two bodies move as one: their nodes lie on each other and share forces.",
+    within: Some("scene"),
+    target: Target::Face,
+    keys: &[Parameter {
+        name: "to",
+        kind: Kind::Expression,
+        presence: Presence::Required("to = adventitia.zmin"),
+        doc: "The face of the other body.",
+    }],
+    members: &[],
+    example: "bond media.zmax { to = adventitia.zmin }",
+    available: true,
+};
+
 const AXES: &[Choice] = &[
     Choice { word: "x", doc: "the plane normal to x" },
     Choice { word: "y", doc: "the plane normal to y" },

@@ -85,6 +85,12 @@ pub(in crate::scene) static PLACE_WORDS: &[Word] = &[
         PLACE,
         "From a to b in the time T with no velocity and no acceleration at either end, then b; with `shape = linear` at constant velocity.",
     ),
+    word(
+        "table",
+        "table([0 ms, 1 ms, 2 ms], [0 mm, 1 mm, 0 mm])",
+        PLACE,
+        "Straight lines in time between values at ascending times, the first value before and the last after; columns of a csv(…) as well: table(data.t, data.u).",
+    ),
 ];
 
 /// Shapes of bodies.
@@ -122,6 +128,12 @@ pub(in crate::scene) static PROBES: &[Word] = &[
         "displacement(body.face).x",
         RECORD,
         "Mean displacement of a face, or of a point: displacement(at = [X, Y, Z], body).x.",
+    ),
+    word(
+        "twist",
+        "twist(body.ymax)",
+        RECORD,
+        "Angle a plane face is turned about its axis relative to the opposite face, added up from layer to layer so that whole turns count; positive from y to z about x, and so on.",
     ),
     word("reaction", "reaction(body.face).x", RECORD, "Force the support of a face exerts on the body."),
     word(

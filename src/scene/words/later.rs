@@ -26,10 +26,6 @@ pub(super) static SWEEP: Declaration =
 pub(super) static TRADE: Declaration =
     block("trade", None, Target::Name, "The same scene over numerical choices, error against cost.");
 
-/// `pressure body.face { … }`
-pub(super) static PRESSURE: Declaration =
-    block("pressure", Some("scene"), Target::Face, "A pressure that follows the deforming face.");
-
 /// Statements.
 pub(super) static STATEMENTS: &[Word] = &[
     Word {

@@ -61,6 +61,23 @@ pub(in crate::scene) static PULL: Declaration = Declaration {
     available: true,
 };
 
+/// `move body.face { … }`
+pub(in crate::scene) static MOVE: Declaration = Declaration {
+    word: "move",
+    doc: "Moves a face, each component of its displacement as written; a component that is `free` is not prescribed.",
+    within: Some("scene"),
+    target: Target::Face,
+    keys: &[Parameter {
+        name: "displacement",
+        kind: Kind::VectorField("length"),
+        presence: Presence::Required("displacement = [ramp(0 mm -> 1 mm, over = 2 ms), 0 mm, free]"),
+        doc: "Components of the displacement along x, y, z, or `free`.",
+    }],
+    members: &[],
+    example: "move cube.ymax { displacement = [ramp(0 mm -> 1 mm, over = 2 ms), 0 mm, free] }",
+    available: true,
+};
+
 /// `traction body.face { … }`
 pub(in crate::scene) static TRACTION: Declaration = Declaration {
     word: "traction",
@@ -75,6 +92,23 @@ pub(in crate::scene) static TRACTION: Declaration = Declaration {
     }],
     members: &[],
     example: "traction cube.xmax { value = [1 kPa, 0 Pa, 0 Pa] }",
+    available: true,
+};
+
+/// `pressure body.face { … }`
+pub(in crate::scene) static PRESSURE: Declaration = Declaration {
+    word: "pressure",
+    doc: "A pressure on the deformed face: a force against its current normal, per current area.",
+    within: Some("scene"),
+    target: Target::Face,
+    keys: &[Parameter {
+        name: "value",
+        kind: Kind::Field("pressure"),
+        presence: Presence::Required("value = ramp(0 kPa -> 10 kPa, over = 2 ms)"),
+        doc: "The pressure; positive values push.",
+    }],
+    members: &[],
+    example: "pressure wall.hole { value = ramp(0 kPa -> 10 kPa, over = 2 ms) }",
     available: true,
 };
 

@@ -15,11 +15,11 @@ mod run;
 
 use crate::schema::{Declaration, Vocabulary};
 
-pub(super) use body::{BODY, SYMMETRY};
+pub(super) use body::{BODY, BOND, SYMMETRY};
 pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
 pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
-pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, PULL, SLIDE, START, TRACTION};
+pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, START, TRACTION};
 pub(super) use motion::MOTION;
 pub(super) use observe::{FRAMES, PLOT, RECORD};
 pub(super) use run::RUN;
@@ -31,10 +31,13 @@ static BLOCKS: &[&Declaration] = &[
     &SCENE,
     &BODY,
     &SYMMETRY,
+    &BOND,
     &HOLD,
     &SLIDE,
     &PULL,
+    &MOVE,
     &TRACTION,
+    &PRESSURE,
     &BODY_FORCE,
     &GRAVITY,
     &START,
@@ -50,7 +53,6 @@ static BLOCKS: &[&Declaration] = &[
     &later::SWEEP,
     &later::TRADE,
     &MOTION,
-    &later::PRESSURE,
 ];
 
 static VOCABULARY: Vocabulary = Vocabulary {

@@ -1,0 +1,111 @@
+//! Scenes of several bodies: what they refuse, and that probes, frames and plans know which is which.
+
+use tissue::monitor::Observer;
+use tissue::plan::{Pass, Plan};
+use tissue::run::{Job, execute};
+use tissue::scene::{Memory, Scene, resolve};
+use tissue::solver::{Simulation, SolveError};
+use tissue::syntax::Source;
+
+fn scene(members: &str) -> Scene {
+    let text = format!(
+        "tissue 1
+import std.energies {{ neo_hooke, vol_quadratic }}
+material stiff {{ energy = neo_hooke(mu = 20 kPa) + vol_quadratic(K = 100 kPa)  density = 1200 kg/m^3 }}
+material soft {{ energy = neo_hooke(mu = 5 kPa) + vol_quadratic(K = 30 kPa)  density = 1000 kg/m^3 }}
+scene layers {{
+  {members}
+}}
+"
+    );
+    let (document, mistakes) = resolve(&Source { name: "layers".into(), text }, &Memory::default(), &[]);
+    let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
+    assert!(mistakes.is_empty(), "{told}");
+    document.scenes.into_iter().next().expect("the text has a scene")
+}
+
+const INNER: &str = "body inner { shape = box(4 mm, 3 mm, 2 mm)  spacing = 1 mm  material = stiff }";
+
+fn outer(size: &str, spacing: &str) -> String {
+    format!(
+        "body outer {{ shape = box({size}, centre = [2 mm, 1.5 mm, 3 mm])  spacing = {spacing}  material = soft }}"
+    )
+}
+
+fn refused(scene: &Scene) -> SolveError {
+    Simulation::new(scene, &Plan::new(scene)).expect_err("the scene cannot be set up")
+}
+
+#[test]
+fn faces_whose_nodes_do_not_meet_are_not_bonded() {
+    let bond = "bond inner.zmax { to = outer.zmin }  run { until = 1 s }";
+    let coarse = scene(&format!("{INNER}\n{}\n{bond}", outer("4 mm, 3 mm, 2 mm", "0.5 mm")));
+    let error = refused(&coarse);
+    assert!(matches!(&error, SolveError::NotBonded { unmatched: 43, .. }), "{error}");
+    assert!(error.to_string().contains("`bond inner.zmax` to `outer.zmin`: 43 nodes"), "{error}");
+}
+
+#[test]
+fn a_face_that_is_part_of_a_larger_one_is_bonded() {
+    let bond = "bond inner.zmax { to = outer.zmin }  run { until = 1 s }";
+    let patch = scene(&format!("{INNER}\n{}\n{bond}", outer("2 mm, 1 mm, 2 mm", "1 mm")));
+    assert!(Simulation::new(&patch, &Plan::new(&patch)).is_ok());
+}
+
+#[test]
+fn a_shared_node_is_not_moved_in_two_ways() {
+    let torn = scene(&format!(
+        "{INNER}\n{}\nbond inner.zmax {{ to = outer.zmin }}\nhold inner.xmin
+         pull outer.xmin {{ displacement = ramp(0 mm -> 1 mm, over = 1 s)  grip = rigid }}\nrun {{ until = 1 s }}",
+        outer("4 mm, 3 mm, 2 mm", "1 mm")
+    ));
+    let error = refused(&torn);
+    assert!(matches!(&error, SolveError::BondedApart { axis: 'x', .. }), "{error}");
+}
+
+/// A support of one body carries what the other brings to the shared edge.
+#[test]
+fn supports_of_one_body_carry_the_forces_of_the_other() {
+    let weighed = scene(&format!(
+        "{INNER}\n{}\nbond inner.zmax {{ to = outer.zmin }}\nhold inner.zmin
+         gravity {{ acceleration = [0 m/s^2, 0 m/s^2, -9.81 m/s^2] }}
+         record foot {{ F = reaction(inner.zmin).z  every = 10 ms }}
+         frames fields {{ values = [J]  every = 50 ms }}
+         run {{ until = 0.1 s  loading = quasi_static  damping = 400 s^-1 }}",
+        outer("4 mm, 3 mm, 2 mm", "1 mm")
+    ));
+    let plan = Plan::new(&weighed);
+    assert!(plan.runs(Pass::Bond));
+    let folder = std::env::temp_dir().join(format!("tissue-bodies-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder can be made");
+    let job =
+        Job { scene: &weighed, plan: &plan, provenance: Default::default(), folder: Some(folder.clone()) };
+    let outcome = execute(&job, &mut ()).expect("the scene can be set up");
+    assert!(outcome.failure.is_none());
+    let weight = 9.81 * 24e-9 * (1200.0 + 1000.0);
+    let force = outcome.tables[0].rows.last().expect("the table has rows")[1];
+    assert!((force / weight - 1.0).abs() < 1e-6, "{force} {weight}");
+    let frame = std::fs::read_to_string(folder.join("fields_0001.vtu")).expect("the frame is written");
+    assert!(frame.contains("Name=\"body\""), "particles of several bodies are told apart");
+    std::fs::remove_dir_all(&folder).expect("the folder can be removed");
+}
+
+#[test]
+fn a_node_shared_by_a_held_edge_gives_its_force_to_the_support() {
+    // outer is held nowhere: its two edge rows on the held face of inner hang on that support
+    let hung = scene(&format!(
+        "{INNER}\n{}\nbond inner.zmax {{ to = outer.zmin }}\nhold inner.xmin
+         gravity {{ acceleration = [0 m/s^2, 0 m/s^2, -9.81 m/s^2] }}
+         record wall {{ F = reaction(inner.xmin).z  every = 10 ms }}
+         run {{ until = 0.2 s  loading = quasi_static  damping = 300 s^-1 }}",
+        outer("4 mm, 3 mm, 2 mm", "1 mm")
+    ));
+    let plan = Plan::new(&hung);
+    let mut simulation = Simulation::new(&hung, &plan).expect("the scene can be set up");
+    let tapes = || hung.records[0].columns.iter().map(|column| &column.value);
+    let observer = Observer::new(&hung, simulation.bodies(), tapes()).expect("the probes exist");
+    while !simulation.step_towards(hung.run.until).expect("the scene runs") {}
+    let force = observer.evaluate(&simulation, tapes())[0];
+    let weight = 9.81 * 24e-9 * (1200.0 + 1000.0);
+    assert!((force / weight - 1.0).abs() < 1e-3, "{force} {weight}");
+}
