@@ -205,7 +205,7 @@ fn every_material_of_the_library_is_sound() {
 
 #[test]
 fn the_report_of_the_artery_is_complete() {
-    let name = "specs/artery/axial.tissue";
+    let name = "specs/artery/adventitia.tissue";
     let text = std::fs::read_to_string(name).expect("the spec is in the repository");
     let (document, mistakes) = resolve(&Source { name: name.into(), text }, &FileSystem, &[]);
     assert!(mistakes.is_empty());

@@ -115,7 +115,7 @@ proptest! {
     // Every word of two specs is a place for a mistake: whatever is put there is told, not died of.
     #[test]
     fn no_mutation_of_a_spec_is_died_of(changes in prop::collection::vec((0usize..400, 0usize..PIECES.len()), 1..4)) {
-        let scene = std::fs::read_to_string("specs/artery/axial.tissue").expect("the spec is in the repository");
+        let scene = std::fs::read_to_string("tests/fixtures/axial.tissue").expect("the spec is in the repository");
         let energy = std::fs::read_to_string("specs/energies/goh.tissue").expect("the spec is in the repository");
         let (_, energy) = energy.split_once("energy goh").expect("the file declares goh");
         let text = format!("{}\nenergy goh{energy}", scene.replace("goh, ", ""));

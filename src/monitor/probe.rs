@@ -275,8 +275,9 @@ fn reaction(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) -
 ///
 /// Two spacings wide to each side, because nodal stresses may alternate from layer to layer (a
 /// zero-energy mode that no force opposes) while their mean carries the load. Beyond a plane of
-/// symmetry or an end of the body the field goes on as its mirror image. `dx` is the spacing the
-/// lattice makes of the body's extent.
+/// symmetry or an end of the body the field goes on as its mirror image. `dx` is the distance of the
+/// layers next to the plane; where nodes do not lie in layers, the spacing the lattice makes of the
+/// body's extent.
 fn section(
     scene: &Scene,
     bodies: &[BodyState],
@@ -287,9 +288,13 @@ fn section(
 ) -> Result<Prepared, ProbeError> {
     let body = &bodies[index];
     let position = &body.particles.position;
-    let low = position.iter().map(|x| x[normal]).fold(f64::INFINITY, f64::min);
-    let high = position.iter().map(|x| x[normal]).fold(f64::NEG_INFINITY, f64::max);
-    let spacing = (high - low) / libm::round((high - low) / body.particles.spacing).max(1.0);
+    let mut layers: Vec<f64> = position.iter().map(|x| x[normal]).collect();
+    layers.sort_by(f64::total_cmp);
+    layers.dedup_by(|next, kept| *next - *kept < ON_PLANE * body.particles.spacing);
+    let (low, high) = (layers[0], layers[layers.len() - 1]);
+    let mean = (high - low) / libm::round((high - low) / body.particles.spacing).max(1.0);
+    let gap = layers.windows(2).find(|pair| at <= pair[1]).map_or(mean, |pair| pair[1] - pair[0]);
+    let spacing = if (0.5 * mean..2.0 * mean).contains(&gap) { gap } else { mean };
     let tolerance = ON_PLANE * spacing;
     if at < low - tolerance || at > high + tolerance {
         return Err(ProbeError::NoSection { body: body.name.clone(), axis: ['x', 'y', 'z'][normal], at });

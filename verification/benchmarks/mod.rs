@@ -22,12 +22,21 @@ pub(crate) struct BenchmarkFile {
 }
 
 /// Files whose expect lines are held.
-pub(crate) const SCENES: &[BenchmarkFile] = &[BenchmarkFile {
-    path: "specs/artery/axial.tissue",
-    tier: Tier::Quick,
-    // fibres without dispersion, on a coarse lattice
-    wrong: &[("adventitia.kappa", "0"), ("strip.spacing", "0.25 mm")],
-}];
+pub(crate) const SCENES: &[BenchmarkFile] = &[
+    BenchmarkFile { path: "specs/artery/axial.tissue", tier: Tier::Quick, wrong: OTHER_FIBRES },
+    BenchmarkFile { path: "specs/artery/circumferential.tissue", tier: Tier::Full, wrong: OTHER_FIBRES },
+    BenchmarkFile { path: "specs/artery/fifteen.tissue", tier: Tier::Full, wrong: OTHER_FIBRES },
+    BenchmarkFile { path: "specs/artery/axial_aligned.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/artery/circumferential_aligned.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/artery/fifteen_aligned.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/artery/circumferential_public.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/skin/parallel.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/skin/perpendicular.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/skin/asymmetric.tissue", tier: Tier::Full, wrong: &[] },
+];
+
+/// Fibres of less dispersion, on a coarse lattice.
+const OTHER_FIBRES: &[(&str, &str)] = &[("adventitia.kappa", "0.1"), ("strip.spacing", "0.25 mm")];
 
 /// Every scene file and every reference table of the project, by path.
 pub(crate) const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/files.rs"));
