@@ -23,8 +23,10 @@ pub enum Command {
     Check(CheckOptions),
     /// Print what a scene models, what it leaves out, and why
     Plan(PlanOptions),
-    /// Run a file's scenes; write tables, frames, figures and run.json
+    /// Run a file's scenes, drives and sweeps; write tables, frames, figures and run.json
     Run(RunOptions),
+    /// Run a file's trades: error against cost, and the cheapest setting within the tolerance
+    Trade(RunOptions),
     /// Hold every claim and expect line against its bound, with a control that must fail
     Verify(VerifyOptions),
     /// Explain a word of the language
@@ -50,7 +52,7 @@ pub struct PlanOptions {
     /// The file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Only this scene
+    /// Only this scene or sweep
     #[arg(long, value_name = "NAME")]
     pub scene: Option<String>,
     /// Put a value in place of the one written: strip.spacing=0.25mm
@@ -67,7 +69,7 @@ pub struct RunOptions {
     /// The file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Folder to write to; one folder a scene or drive below it if the file has several [default: out/<file>/<name>]
+    /// Folder to write to; one folder a scene, drive or sweep below it if the file has several [default: out/<file>/<name>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Threads to compute on; results do not depend on it [default: all cores]
@@ -76,7 +78,7 @@ pub struct RunOptions {
     /// Put a value in place of the one written: strip.spacing=0.25mm
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = parse_override)]
     pub overrides: Vec<(String, String)>,
-    /// Only this scene or drive
+    /// Only this scene, drive, sweep or trade
     #[arg(long, value_name = "NAME")]
     pub scene: Option<String>,
     /// Replace the results of an earlier run in the output folder

@@ -72,6 +72,15 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
         say!("  materials  {}", names(input.document.materials.iter().map(|m| m.name.as_str()).collect()));
         say!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
         say!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
+        let of = |trade: bool| {
+            let sweeps = input.document.sweeps.iter().filter(move |sweep| sweep.trade.is_some() == trade);
+            sweeps.map(|sweep| format!("{} ({} points)", sweep.name, sweep.points.len())).collect::<Vec<_>>()
+        };
+        for (word, found) in [("sweeps", of(false)), ("trades", of(true))] {
+            if !found.is_empty() {
+                say!("  {word}     {}", found.join(", "));
+            }
+        }
         for audit in audits {
             say_on!("\n{audit}");
         }
@@ -91,5 +100,6 @@ fn as_json(input: &Input, audits: &[MaterialAudit]) -> Value {
         "audits": audits,
         "drives": input.document.drives.iter().map(|d| &d.name).collect::<Vec<_>>(),
         "scenes": input.document.scenes.iter().map(|s| &s.name).collect::<Vec<_>>(),
+        "sweeps": input.document.sweeps.iter().map(|s| &s.name).collect::<Vec<_>>(),
     })
 }

@@ -2,7 +2,7 @@
 
 use super::Exit;
 use crate::output::provenance;
-use crate::scene::{Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, resolve};
+use crate::scene::{Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, Sweep, resolve};
 use crate::syntax::Source;
 use std::cell::RefCell;
 use std::path::Path;
@@ -75,46 +75,49 @@ pub fn count(mistakes: usize) -> String {
     if mistakes == 1 { "1 mistake".into() } else { format!("{mistakes} mistakes") }
 }
 
-/// The scenes asked for: one by name, or all.
-///
-/// # Errors
-/// [`Exit::WrongInput`] after printing which scenes there are.
-pub fn scenes<'a>(input: &'a Input, name: Option<&str>) -> Result<Vec<&'a Scene>, Exit> {
-    let all = &input.document.scenes;
-    let names = || all.iter().map(|scene| format!("`{}`", scene.name)).collect::<Vec<_>>().join(", ");
-    if all.is_empty() {
-        eprintln!("error: {} has no scene to run; write `scene name {{ … }}`", input.name);
-        return Err(Exit::WrongInput);
-    }
-    match name {
-        None => Ok(all.iter().collect()),
-        Some(name) => match all.iter().find(|scene| scene.name == name) {
-            Some(scene) => Ok(vec![scene]),
-            None => {
-                eprintln!("error: {} has no scene `{name}`; its scenes are {}", input.name, names());
-                Err(Exit::WrongInput)
-            }
-        },
+/// What of a file is asked for.
+#[derive(Debug)]
+pub struct Chosen<'a> {
+    /// Scenes of particles.
+    pub scenes: Vec<&'a Scene>,
+    /// Drives of a material point.
+    pub drives: Vec<&'a Drive>,
+    /// Sweeps and trades.
+    pub sweeps: Vec<&'a Sweep>,
+}
+
+impl Chosen<'_> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.scenes.len() + self.drives.len() + self.sweeps.len()
     }
 }
 
-/// The scenes and drives asked for: one by name, or all.
+/// What is asked for: one by name, or all.
 ///
 /// # Errors
-/// [`Exit::WrongInput`] after printing which there are.
-pub fn runnable<'a>(input: &'a Input, name: Option<&str>) -> Result<(Vec<&'a Scene>, Vec<&'a Drive>), Exit> {
-    let (scenes, drives) = (&input.document.scenes, &input.document.drives);
+/// [`Exit::WrongInput`] after printing what there is.
+pub fn chosen<'a>(input: &'a Input, name: Option<&str>) -> Result<Chosen<'a>, Exit> {
+    let Document { scenes, drives, sweeps, .. } = &input.document;
     let wanted = |found: &str| name.is_none_or(|name| name == found);
-    let chosen: Vec<&Scene> = scenes.iter().filter(|scene| wanted(&scene.name)).collect();
-    let driven: Vec<&Drive> = drives.iter().filter(|drive| wanted(&drive.name)).collect();
-    if !chosen.is_empty() || !driven.is_empty() {
-        return Ok((chosen, driven));
+    let chosen = Chosen {
+        scenes: scenes.iter().filter(|scene| wanted(&scene.name)).collect(),
+        drives: drives.iter().filter(|drive| wanted(&drive.name)).collect(),
+        sweeps: sweeps.iter().filter(|sweep| wanted(&sweep.name)).collect(),
+    };
+    if chosen.len() > 0 {
+        return Ok(chosen);
     }
     let names = scenes.iter().map(|scene| &scene.name).chain(drives.iter().map(|drive| &drive.name));
-    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    let names: Vec<String> =
+        names.chain(sweeps.iter().map(|sweep| &sweep.name)).map(|name| format!("`{name}`")).collect();
     match name {
         Some(name) if !names.is_empty() => {
-            eprintln!("error: {} has no scene or drive `{name}`; it has {}", input.name, names.join(", "));
+            eprintln!(
+                "error: {} has no scene, drive or sweep `{name}`; it has {}",
+                input.name,
+                names.join(", ")
+            );
         }
         _ => eprintln!(
             "error: {} has nothing to run; write `scene name {{ … }}` or `drive name {{ … }}`",

@@ -26,9 +26,11 @@ mod explain;
 mod folder;
 mod format;
 mod input;
+mod memory;
 mod plan;
 mod progress;
 mod run;
+mod sweep;
 mod verify;
 
 use arguments::{Arguments, Command};
@@ -65,6 +67,7 @@ pub fn main() -> ExitCode {
         Command::Check(options) => check::check(&options),
         Command::Plan(options) => plan::plan(&options),
         Command::Run(options) => run::run(&options),
+        Command::Trade(options) => run::trade(&options),
         Command::Verify(options) => verify::verify(&options),
         Command::Explain(options) => explain::explain(&options),
         Command::Fmt(options) => format::format(&options),

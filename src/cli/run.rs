@@ -4,26 +4,46 @@ use super::Exit;
 use super::arguments::RunOptions;
 use super::drive::run_drive;
 use super::folder::{announce, prepare};
-use super::input::{Input, read_or_explain, runnable};
+use super::input::{Input, chosen, read_or_explain};
+use super::memory::fits;
 use super::progress::Bar;
+use super::sweep::run_sweep;
 use crate::output::file::write_atomic;
 use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
 use crate::run::{self, Outcome, execute, figures};
-use crate::scene::{Drive, Plot, Scene};
+use crate::scene::{Drive, Plot, Scene, Sweep};
 use std::path::{Path, PathBuf};
 
-/// Runs a file's drives and scenes.
+/// Runs a file's drives, scenes and sweeps.
 pub fn run(options: &RunOptions) -> Exit {
+    run_some(options, |_| true)
+}
+
+/// Runs a file's trades.
+pub fn trade(options: &RunOptions) -> Exit {
+    run_some(options, |job| matches!(job, Job::Sweep(sweep) if sweep.trade.is_some()))
+}
+
+fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let input = match read_or_explain(&options.file, &options.overrides) {
         Ok(input) => input,
         Err(exit) => return exit,
     };
-    let (scenes, drives) = match runnable(&input, options.scene.as_deref()) {
-        Ok(found) => found,
+    let chosen = match chosen(&input, options.scene.as_deref()) {
+        Ok(chosen) => chosen,
         Err(exit) => return exit,
     };
+    // Drives first: they take a blink.
+    let drives = chosen.drives.into_iter().map(Job::Drive);
+    let scenes = chosen.scenes.into_iter().map(Job::Scene);
+    let sweeps = chosen.sweeps.into_iter().map(Job::Sweep);
+    let jobs: Vec<Job<'_>> = drives.chain(scenes).chain(sweeps).filter(wanted).collect();
+    if jobs.is_empty() {
+        eprintln!("error: {} has no trade; write `trade name {{ … }}`", input.name);
+        return Exit::WrongInput;
+    }
     let mut builder = rayon::ThreadPoolBuilder::new();
     if let Some(threads) = options.threads {
         builder = builder.num_threads(usize::from(threads));
@@ -35,10 +55,8 @@ pub fn run(options: &RunOptions) -> Exit {
             return Exit::Failed;
         }
     };
-    let several = scenes.len() + drives.len() > 1;
+    let several = jobs.len() > 1;
     let mut exit = Exit::Fine;
-    // Drives first: they take a blink.
-    let jobs = drives.into_iter().map(Job::Drive).chain(scenes.into_iter().map(Job::Scene));
     for job in jobs {
         let folder = folder(options, job.name(), several);
         if let Err(message) = prepare(&folder, options.overwrite) {
@@ -48,6 +66,7 @@ pub fn run(options: &RunOptions) -> Exit {
         let one = match job {
             Job::Scene(scene) => pool.install(|| run_scene(options, &input, scene, &folder)),
             Job::Drive(drive) => run_drive(options, &input, drive, &folder),
+            Job::Sweep(sweep) => pool.install(|| run_sweep(options, &input, sweep, &folder)),
         };
         if one != Exit::Fine {
             exit = one;
@@ -60,6 +79,7 @@ pub fn run(options: &RunOptions) -> Exit {
 enum Job<'a> {
     Scene(&'a Scene),
     Drive(&'a Drive),
+    Sweep(&'a Sweep),
 }
 
 impl Job<'_> {
@@ -67,6 +87,7 @@ impl Job<'_> {
         match self {
             Self::Scene(scene) => &scene.name,
             Self::Drive(drive) => &drive.name,
+            Self::Sweep(sweep) => &sweep.name,
         }
     }
 }
@@ -84,6 +105,10 @@ fn folder(options: &RunOptions, name: &str, several: bool) -> PathBuf {
 }
 
 fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) -> Exit {
+    if let Err(message) = fits(scene) {
+        eprintln!("error: scene `{}`: {message}", scene.name);
+        return Exit::WrongInput;
+    }
     let plan = Plan::new(scene);
     let provenance = Provenance::new(&input.name, &input.hash, &scene.name);
     let job = run::Job { scene, plan: &plan, provenance, folder: Some(folder.to_path_buf()) };
@@ -171,8 +196,16 @@ pub(super) fn draw(
     provenance: &Provenance,
     folder: &Path,
 ) -> (Vec<String>, bool) {
+    write_figures(figures(title, plots, tables, provenance), folder)
+}
+
+/// Writes figures into a folder: the files written, and whether all were.
+pub(super) fn write_figures(
+    drawn: Vec<(String, Result<String, String>)>,
+    folder: &Path,
+) -> (Vec<String>, bool) {
     let (mut files, mut sound) = (Vec::new(), true);
-    for (name, drawn) in figures(title, plots, tables, provenance) {
+    for (name, drawn) in drawn {
         let written = drawn.and_then(|svg| {
             let file = format!("{name}.svg");
             write_atomic(&folder.join(&file), svg.as_bytes())

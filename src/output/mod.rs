@@ -10,6 +10,7 @@ pub mod frame;
 
 pub mod provenance;
 pub mod report;
+pub mod sweep_report;
 pub mod table;
 
 pub use drive_report::DriveReport;
@@ -17,4 +18,5 @@ pub use figure::{Axis, FieldFigure, Figure, FigureError, Mark, Panel, Scale, Ser
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;
+pub use sweep_report::{PointReport, SweepReport};
 pub use table::{Table, TableColumn, TableError, TableWriter};

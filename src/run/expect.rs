@@ -3,6 +3,7 @@
 //! Owns the reading of an `expect` line; it sees tables only, never the state they came from.
 
 use super::interpolate::{crossing, reference_value};
+use super::order::order;
 use crate::expression::Tape;
 use crate::output::Table;
 use crate::output::report::ExpectationVerdict;
@@ -202,6 +203,12 @@ fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, S
         Sample::Min { record, column } => fold(record, column, |new, old| new < old),
         Sample::Initial { record, column } => fold(record, column, |_, _| false),
         Sample::Final { record, column } => fold(record, column, |_, _| true),
+        Sample::Order { record, column, varied, between_neighbours } => {
+            let values = column_of(tables, record, column)?;
+            let varied: Vec<Vec<f64>> =
+                varied.iter().map(|name| column_of(tables, record, name)).collect::<Result<_, _>>()?;
+            order(&varied, &values, *between_neighbours).map_err(|reason| format!("{reason} in `{column}`"))
+        }
         Sample::Column { record, column } => {
             let at = at.ok_or_else(|| format!("`{record}.{column}` needs an `at`"))?;
             let y = column_of(tables, record, column)?;

@@ -101,6 +101,15 @@ impl Mistakes {
         self.push(file, diagnostic)
     }
 
+    /// Adds mistakes found elsewhere.
+    pub(super) fn extend(&mut self, found: impl IntoIterator<Item = Mistake>) {
+        for mistake in found {
+            if !self.list.contains(&mistake) {
+                self.list.push(mistake);
+            }
+        }
+    }
+
     /// The number of mistakes so far.
     pub(super) fn len(&self) -> usize {
         self.list.len()

@@ -3,6 +3,7 @@
 //! Owns the joining of paths and the caps on size. A scene is resolved against a [`Loader`], so it can
 //! be resolved without a file system.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Component, Path, PathBuf};
@@ -45,6 +46,25 @@ impl fmt::Display for LoadError {
 }
 
 impl std::error::Error for LoadError {}
+
+/// A loader that reads each file once, so that one resolution never sees two versions of it.
+pub(super) struct Once<'a> {
+    inner: &'a dyn Loader,
+    texts: RefCell<BTreeMap<String, Result<String, LoadError>>>,
+}
+
+impl<'a> Once<'a> {
+    pub(super) fn new(inner: &'a dyn Loader) -> Self {
+        Self { inner, texts: RefCell::default() }
+    }
+}
+
+impl Loader for Once<'_> {
+    fn load(&self, path: &str) -> Result<String, LoadError> {
+        let mut texts = self.texts.borrow_mut();
+        texts.entry(path.into()).or_insert_with(|| self.inner.load(path)).clone()
+    }
+}
 
 /// The file system, paths relative to the working directory.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -24,6 +24,8 @@ pub struct Document {
     pub scenes: Vec<Scene>,
     /// Drives of a material point in order.
     pub drives: Vec<super::Drive>,
+    /// Sweeps and trades in order.
+    pub sweeps: Vec<super::Sweep>,
 }
 
 /// A hyperelastic material.
@@ -638,6 +640,17 @@ pub enum Sample {
         record: String,
         /// The column.
         column: String,
+    },
+    /// Exponent of a column's magnitude in the first varied value of a sweep.
+    Order {
+        /// The record.
+        record: String,
+        /// The column.
+        column: String,
+        /// Columns of the varied values, the one the order runs over first.
+        varied: Vec<String>,
+        /// Whether it is the smallest between neighbours instead of the least-squares one over all.
+        between_neighbours: bool,
     },
     /// Last value of a column.
     Final {

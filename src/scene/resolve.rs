@@ -1,11 +1,11 @@
 //! A file to its document.
 
 use super::file::Mistake;
-use super::loader::Loader;
+use super::loader::{Loader, Once};
 use super::model::Document;
 use super::session::Session;
-use super::words::DRIVE;
-use super::{drives, scenes};
+use super::sweeps::Setting;
+use super::{drives, scenes, sweeps};
 use crate::syntax::{Item, Source};
 
 /// The meaning of a file, and every mistake found in it and in the files it imports.
@@ -19,6 +19,7 @@ pub fn resolve(
     loader: &dyn Loader,
     overrides: &[(String, String)],
 ) -> (Document, Vec<Mistake>) {
+    let loader = &Once::new(loader);
     let mut session = Session::new(loader, overrides);
     let file = session.parse(source.clone());
     let module = session.module(&file);
@@ -27,14 +28,32 @@ pub fn resolve(
         let declared = module.materials.get(name).and_then(Option::as_ref);
         document.materials.extend(declared.map(|declared| declared.material.as_ref().clone()));
     }
+    let mut broken = Vec::new();
+    let mut sweeps = Vec::new();
     for index in &module.rest {
         let Item::Block(block) = &file.tree.items[*index] else { continue };
         let Some(name) = block.target.as_ref().and_then(|path| path.parts.first()) else { continue };
-        if block.kind.text == DRIVE.word {
-            document.drives.extend(drives::read(&mut session, &file, block, name, &module));
-        } else {
-            document.scenes.extend(scenes::read(&mut session, &file, block, name, &module));
+        let read = match block.kind.text.as_str() {
+            "drive" => {
+                drives::read(&mut session, &file, block, name, &module).map(|d| document.drives.push(d))
+            }
+            "scene" => {
+                scenes::read(&mut session, &file, block, name, &module).map(|s| document.scenes.push(s))
+            }
+            _ => {
+                sweeps.push((block, name));
+                Ok(())
+            }
+        };
+        if read.is_err() {
+            broken.push(name.text.clone());
         }
+    }
+    // After all they can be of, wherever these stand.
+    for (block, name) in sweeps {
+        let setting = Setting { loader, overrides, document: &document, broken: &broken };
+        let sweep = sweeps::read(&mut session, &file, block, name, &module, &setting);
+        document.sweeps.extend(sweep);
     }
     session.overrides.finish(&mut session.mistakes);
     (document, session.mistakes.finish(&file))

@@ -12,6 +12,7 @@ use super::materials::{self, Declared, Energies, Materials};
 use super::members::{Overrides, duplicate};
 use crate::schema::nearest;
 use crate::syntax::{Block, Code, Import, ImportFrom, Item, Name, Path, Source, Span};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -36,23 +37,35 @@ pub(super) struct Session<'a> {
     modules: BTreeMap<String, Option<Rc<Module>>>,
     /// The files being read, outermost first.
     path: Vec<String>,
+    /// Texts that have been parsed, by name.
+    parsed: Rc<RefCell<BTreeMap<String, Rc<File>>>>,
 }
 
 impl<'a> Session<'a> {
     pub(super) fn new(loader: &'a dyn Loader, overrides: &[(String, String)]) -> Self {
         let mut mistakes = Mistakes::default();
         let overrides = Overrides::read(&mut mistakes, overrides);
-        Self { loader, mistakes, overrides, modules: BTreeMap::new(), path: Vec::new() }
+        let parsed = Rc::new(RefCell::default());
+        Self { loader, mistakes, overrides, modules: BTreeMap::new(), path: Vec::new(), parsed }
+    }
+
+    /// A session over the same texts that has found nothing yet.
+    pub(super) fn again<'b>(&self, loader: &'b dyn Loader, overrides: &[(String, String)]) -> Session<'b> {
+        Session { parsed: Rc::clone(&self.parsed), ..Session::new(loader, overrides) }
     }
 
     /// Parses a text; its mistakes are reported.
     pub(super) fn parse(&mut self, source: Source) -> Rc<File> {
+        if let Some(known) = self.parsed.borrow().get(&source.name) {
+            return Rc::clone(known);
+        }
         let source = Arc::new(source);
         let (tree, diagnostics) = crate::syntax::parse(&source);
         let file = Rc::new(File { source, tree, damaged: !diagnostics.is_empty() });
         for diagnostic in diagnostics {
             self.mistakes.push(&file, diagnostic);
         }
+        self.parsed.borrow_mut().insert(file.source.name.clone(), Rc::clone(&file));
         file
     }
 
@@ -80,7 +93,7 @@ impl<'a> Session<'a> {
         for (index, item) in file.tree.items.iter().enumerate() {
             let Item::Block(block) = item else { continue };
             let kind = block.kind.text.as_str();
-            if !matches!(kind, "energy" | "material" | "scene" | "drive") {
+            if !matches!(kind, "energy" | "material" | "scene" | "drive" | "sweep" | "trade") {
                 unknown_block(&mut self.mistakes, file, block, None);
                 continue;
             }

@@ -58,6 +58,8 @@ pub enum Member {
     Direction,
     /// `expect claim`.
     Expect,
+    /// `vary path = [values]`.
+    Vary,
     /// Any name with a direction.
     Directions,
     /// Any name with an expression: a column.

@@ -5,11 +5,11 @@
 
 use super::claim::{CONTROL_FACTOR, Tier, Topic, Verdict};
 use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
-use crate::output::report::ExpectationVerdict;
+use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, Table};
 use crate::plan::Plan;
-use crate::run::{DriveJob, Job, control, drive, execute};
-use crate::scene::{Document, Drive, Expectation, LoadError, Loader, Scene, library, resolve};
+use crate::run::{DriveJob, Job, SweepJob, SweepOutcome, control, drive, execute};
+use crate::scene::{Document, Drive, Expectation, LoadError, Loader, Scene, Sweep, library, resolve};
 use crate::syntax::Source;
 
 /// Files compiled into the program, by their path in the project.
@@ -39,8 +39,8 @@ fn document(path: &str, text: String, overrides: &[(String, String)]) -> Result<
     Err(mistakes.iter().map(|mistake| mistake.render()).collect::<Vec<_>>().join("\n"))
 }
 
-/// Runs every benchmark scene of a tier and below, and every drive of the library, and judges their expect
-/// lines.
+/// Runs every benchmark scene and sweep of a tier and below, and every drive of the library, and judges
+/// their expect lines.
 ///
 /// # Errors
 /// If a file does not resolve or cannot be set up. A run that stops early is a verdict that fails.
@@ -54,6 +54,9 @@ pub fn scene_verdicts(tier: Tier) -> Result<Vec<Verdict>, String> {
         }
         for scene in &document.scenes {
             verdicts.extend(verdicts_of(path, scene, wrong)?);
+        }
+        for sweep in &document.sweeps {
+            verdicts.extend(verdicts_of_sweep(path, sweep, wrong)?);
         }
     }
     verdicts.extend(library_verdicts()?);
@@ -117,6 +120,41 @@ fn wrong_variant(
     let job = Job { scene, plan: &plan, provenance: Provenance::new(path, "", name), folder: None };
     let outcome = execute(&job, &mut ()).map_err(|cause| format!("{path}, wrong variant: {cause}"))?;
     Ok(outcome.report.expectations)
+}
+
+fn verdicts_of_sweep(
+    path: &str,
+    described: &Sweep,
+    changes: &[(&str, &str)],
+) -> Result<Vec<Verdict>, String> {
+    let name = &described.name;
+    let outcome = swept(path, described)?;
+    let stopped = matches!(outcome.report.status, RunStatus::Stopped { .. });
+    let found = &outcome.report.expectations;
+    let mut verdicts = judged(name, &described.expectations, found, &outcome.tables, stopped);
+    if changes.is_empty() {
+        return Ok(verdicts);
+    }
+    let overrides: Vec<(String, String)> =
+        changes.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
+    let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
+    let changed = document(path, text, &overrides)?;
+    let Some(wrong) = changed.sweeps.iter().find(|sweep| sweep.name == *name) else { return Ok(verdicts) };
+    for (verdict, wrong) in verdicts.iter_mut().zip(swept(path, wrong)?.report.expectations) {
+        if let Some(measured) = wrong.measured.filter(|measured| *measured > CONTROL_FACTOR * verdict.bound) {
+            verdict.control = measured;
+            verdict.because =
+                format!("the tolerance the file states; the control is the sweep with {}", listed(changes));
+        }
+    }
+    Ok(verdicts)
+}
+
+fn swept(path: &str, sweep: &Sweep) -> Result<SweepOutcome, String> {
+    let provenance = Provenance::new(path, "", &sweep.name);
+    let threads = rayon::current_num_threads();
+    let job = SweepJob { sweep, provenance, folder: None, threads };
+    crate::run::sweep(&job).map_err(|cause| format!("{path}: {cause}"))
 }
 
 fn verdicts_of_drive(path: &str, described: &Drive) -> Result<Vec<Verdict>, String> {

@@ -49,6 +49,14 @@ pub(in crate::scene) struct ExpectEntry {
     pub(in crate::scene) span: Span,
 }
 
+/// `vary path = values`, as written.
+#[derive(Debug, Clone)]
+pub(in crate::scene) struct VaryEntry {
+    /// The path with dots, and where it stands.
+    pub(in crate::scene) path: Name,
+    pub(in crate::scene) value: ExprId,
+}
+
 /// The entries of a block.
 #[derive(Debug, Default)]
 pub(in crate::scene) struct Members<'a> {
@@ -61,6 +69,7 @@ pub(in crate::scene) struct Members<'a> {
     /// Entries whose name is free: columns of a record, directions of a frame.
     pub(in crate::scene) free: Vec<(Name, ExprId)>,
     pub(in crate::scene) expects: Vec<ExpectEntry>,
+    pub(in crate::scene) varied: Vec<VaryEntry>,
     pub(in crate::scene) blocks: Vec<&'a Block>,
     declared: BTreeMap<String, Name>,
     /// Keys that a misspelt one most likely means.
@@ -225,7 +234,15 @@ impl Sorting<'_, '_> {
                             members.fibre.push((name.clone(), *value));
                         }
                     }
-                    Some("let" | "fibre") => {}
+                    Some("vary") if self.allowed(Member::Vary, "vary", span) => {
+                        let parts: Vec<&str> = key.parts.iter().map(|part| part.text.as_str()).collect();
+                        let span = name.span.start..key.parts[key.parts.len() - 1].span.end;
+                        let path = Name { text: parts.join("."), span };
+                        if self.declare(members, &path) {
+                            members.varied.push(VaryEntry { path, value: *value });
+                        }
+                    }
+                    Some("let" | "fibre" | "vary") => {}
                     Some(other) => {
                         let span = keyword.as_ref().map_or(span.clone(), |keyword| keyword.span.clone());
                         self.unknown(other, &span, other);

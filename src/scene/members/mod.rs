@@ -7,5 +7,5 @@ mod overrides;
 mod parameter;
 pub(super) mod within;
 
-pub(super) use entries::{ExpectEntry, Members, ParamEntry, ParameterDef, Site, duplicate};
+pub(super) use entries::{ExpectEntry, Members, ParamEntry, ParameterDef, Site, VaryEntry, duplicate};
 pub(super) use overrides::Overrides;

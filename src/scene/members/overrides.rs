@@ -56,6 +56,20 @@ impl Overrides {
         Self { values, ..Self::default() }
     }
 
+    /// Puts a value in the place of one written, as a point of a sweep does.
+    pub(in crate::scene) fn insert(&mut self, path: &Name, site: Site) {
+        self.values.insert(path.text.clone(), (site, path.clone()));
+    }
+
+    /// What nothing asked for under this path, and the path most likely meant.
+    pub(in crate::scene) fn unused(&self, path: &str) -> Option<Option<String>> {
+        if self.used.borrow().contains(path) {
+            return None;
+        }
+        let known = self.known.borrow();
+        Some(meant(path, &known))
+    }
+
     /// The value given for a key of a block; `path` is the scene, if any, and the block.
     pub(in crate::scene) fn find(&self, path: &[&str], key: &str) -> Option<Site> {
         (0..path.len()).find_map(|from| {
@@ -74,9 +88,16 @@ impl Overrides {
         let (used, known) = (self.used.borrow(), self.known.borrow());
         for (path, (site, name)) in self.values.iter().filter(|(path, _)| !used.contains(*path)) {
             let message = format!("nothing in the file is called `{path}`");
-            let help =
-                nearest(path, known.iter().map(String::as_str)).map(|meant| format!("write `{meant}`"));
+            let help = meant(path, &known).map(|meant| format!("write `{meant}`"));
             mistakes.report(&site.file, Code::UnknownOverride, name.span.clone(), message, "not used", help);
         }
     }
+}
+
+/// The path most likely meant: one that ends in the same word below the same block, or the nearest.
+fn meant(path: &str, known: &BTreeSet<String>) -> Option<String> {
+    let first = |path: &str| path.split('.').next().map(String::from);
+    let last = |path: &str| path.rsplit('.').next().map(String::from);
+    let alike = known.iter().find(|other| first(other) == first(path) && last(other) == last(path));
+    alike.map(String::as_str).or_else(|| nearest(path, known.iter().map(String::as_str))).map(String::from)
 }

@@ -12,6 +12,9 @@ use crate::syntax::{Block, Code};
 use crate::unit::{Dimension, Quantity};
 use std::rc::Rc;
 
+/// Most particles of a body, as the lattice has it.
+const MOST_PARTICLES: f64 = 1e8;
+
 impl Stage<'_> {
     pub(super) fn body(&mut self, block: &Block) -> Result<(), Reported> {
         let name = block_name(self.mistakes, &self.file, block).ok_or(Reported)?;
@@ -55,15 +58,26 @@ impl Stage<'_> {
             ));
         }
         let (material, jitter) = (material?, jitter?);
-        self.scene.bodies.push(Body {
-            name: name.text.clone(),
-            place: file.place(&block.kind.span),
-            shape,
-            spacing,
-            jitter,
-            material,
-        });
+        let place = file.place(&block.kind.span);
+        let body = Body { name: name.text.clone(), place, shape, spacing, jitter, material };
+        self.refuse_flood(&body, &site)?;
+        self.scene.bodies.push(body);
         Ok(())
+    }
+
+    /// Refuses more particles than any machine holds, whatever the symmetry.
+    fn refuse_flood(&mut self, body: &Body, site: &super::super::members::Site) -> Result<(), Reported> {
+        let least = body.most_particles([true; 3]);
+        if least <= MOST_PARTICLES {
+            return Ok(());
+        }
+        let message = format!(
+            "`{}` asks for some {least:.1e} particles, at most {MOST_PARTICLES:.0e} are computed",
+            body.name
+        );
+        let span = site.file.span(site.id);
+        let help = Some("write a larger `spacing`: twice the spacing, an eighth of the particles".into());
+        Err(self.mistakes.report(&site.file, Code::TooLarge, span, message, "", help))
     }
 
     fn jitter(&mut self, site: &super::super::members::Site) -> Result<f64, Reported> {
@@ -77,7 +91,7 @@ impl Stage<'_> {
     }
 
     /// A value greater than 0.
-    pub(super) fn positive(
+    pub(in crate::scene) fn positive(
         &mut self,
         site: &super::super::members::Site,
         name: &str,

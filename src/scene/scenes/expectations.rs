@@ -99,8 +99,13 @@ impl Stage<'_> {
         left: ExprId,
         right: ExprId,
     ) -> Result<Sides, Reported> {
-        let scope =
-            SampleScope { file, lets: self.lets.fresh(), records: &self.columns, tables: &self.tables };
+        let scope = SampleScope {
+            file,
+            lets: self.lets.fresh(),
+            records: &self.columns,
+            tables: &self.tables,
+            varied: &self.varied,
+        };
         let mut evaluator = Evaluator::<Sample>::new(self.mistakes);
         let (a, b): (Result<Scalar, _>, Result<Scalar, _>) =
             (evaluator.scalar(&scope, left), evaluator.scalar(&scope, right));

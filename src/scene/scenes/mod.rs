@@ -30,7 +30,9 @@ use super::model::Scene;
 use super::session::{Module, Session};
 use super::words::SCENE;
 use crate::syntax::{Block, Name};
-pub(super) use stage::Stage;
+pub(super) use plots::{column_dimension, column_name, listed};
+pub(super) use scope::fixed_quantity;
+pub(super) use stage::{Records, Stage};
 use std::rc::Rc;
 
 /// Blocks a scene can have, in the order they are read.

@@ -12,9 +12,9 @@ use crate::unit::Dimension;
 use std::rc::Rc;
 
 /// A column by name: where it is from and what it is called there.
-pub(super) struct ColumnName {
-    pub(super) table: Name,
-    pub(super) column: Name,
+pub(in crate::scene) struct ColumnName {
+    pub(in crate::scene) table: Name,
+    pub(in crate::scene) column: Name,
 }
 
 impl Stage<'_> {
@@ -58,7 +58,11 @@ impl Stage<'_> {
     }
 
     /// The two sides of `a.y over a.x`.
-    fn pair(&mut self, file: &File, id: ExprId) -> Result<(ColumnName, ColumnName), Reported> {
+    pub(in crate::scene) fn pair(
+        &mut self,
+        file: &File,
+        id: ExprId,
+    ) -> Result<(ColumnName, ColumnName), Reported> {
         if let ExprKind::Binary { operator: BinaryOperator::Over, left, right, .. } = &file.tree.expr(id).kind
         {
             let (y, x) = (column_name(self.mistakes, file, *left), column_name(self.mistakes, file, *right));
@@ -69,7 +73,12 @@ impl Stage<'_> {
         Err(self.mistakes.report(file, Code::WrongForm, file.span(id), message, "", help))
     }
 
-    fn same_source(&mut self, file: &File, y: &ColumnName, x: &ColumnName) -> Result<(), Reported> {
+    pub(in crate::scene) fn same_source(
+        &mut self,
+        file: &File,
+        y: &ColumnName,
+        x: &ColumnName,
+    ) -> Result<(), Reported> {
         if y.table.text == x.table.text {
             return Ok(());
         }
@@ -83,7 +92,7 @@ impl Stage<'_> {
     }
 
     /// Refuses curves that cannot share their axes.
-    fn same_axes(
+    pub(in crate::scene) fn same_axes(
         &mut self,
         file: &File,
         id: ExprId,
@@ -111,7 +120,7 @@ impl Stage<'_> {
 }
 
 /// The elements of a list, or the one expression that is none.
-fn listed(site: &Site) -> Vec<ExprId> {
+pub(in crate::scene) fn listed(site: &Site) -> Vec<ExprId> {
     match &site.file.tree.expr(site.id).kind {
         ExprKind::List(ids) => ids.clone(),
         _ => vec![site.id],
@@ -119,7 +128,11 @@ fn listed(site: &Site) -> Vec<ExprId> {
 }
 
 /// `table.column`.
-pub(super) fn column_name(mistakes: &mut Mistakes, file: &File, id: ExprId) -> Result<ColumnName, Reported> {
+pub(in crate::scene) fn column_name(
+    mistakes: &mut Mistakes,
+    file: &File,
+    id: ExprId,
+) -> Result<ColumnName, Reported> {
     if let ExprKind::Member { base, name } = &file.tree.expr(id).kind
         && let ExprKind::Name(table) = &file.tree.expr(*base).kind
     {
@@ -132,7 +145,7 @@ pub(super) fn column_name(mistakes: &mut Mistakes, file: &File, id: ExprId) -> R
 }
 
 /// The dimension of a recorded column.
-pub(super) fn column_dimension(
+pub(in crate::scene) fn column_dimension(
     mistakes: &mut Mistakes,
     records: &Records,
     file: &File,

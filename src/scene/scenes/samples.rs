@@ -9,6 +9,7 @@ use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
 use super::stage::Records;
 use super::tables::Tables;
 use crate::syntax::{Argument, ExprId, ExprKind, Name, Span};
+use crate::unit::Dimension;
 use std::rc::Rc;
 
 /// The names in an expectation.
@@ -17,6 +18,8 @@ pub(super) struct SampleScope<'a> {
     pub(super) lets: Lets,
     pub(super) records: &'a Records,
     pub(super) tables: &'a Tables,
+    /// Columns of the varied values, in a sweep.
+    pub(super) varied: &'a [String],
 }
 
 impl Scope<Sample> for SampleScope<'_> {
@@ -60,6 +63,9 @@ impl Scope<Sample> for SampleScope<'_> {
             "initial" => |record, column| Sample::Initial { record, column },
             "final" => |record, column| Sample::Final { record, column },
             "residual" => return Some(self.residual(evaluator, argument.value)),
+            "order" | "least_order" if !self.varied.is_empty() => {
+                return Some(self.order(evaluator, function.text == "least_order", argument.value));
+            }
             "never_grows" => {
                 let required = "it is a claim of its own: `expect never_grows(record.column)`";
                 return Some(Err(evaluator.wrong_form(self.file, &function.span, "`never_grows`", required)));
@@ -78,7 +84,8 @@ impl Scope<Sample> for SampleScope<'_> {
     }
 
     fn functions(&self) -> Vec<String> {
-        SAMPLES.iter().map(|word| word.word.into()).collect()
+        let orders = if self.varied.is_empty() { &[][..] } else { &["order", "least_order"] };
+        SAMPLES.iter().map(|word| word.word).chain(orders.iter().copied()).map(String::from).collect()
     }
 
     fn hint(&self, name: &str) -> Option<String> {
@@ -98,6 +105,19 @@ impl SampleScope<'_> {
         let dimension = table.get(RESIDUAL).copied().flatten().ok_or(Reported)?;
         let sample = Sample::Max { record: "motion".into(), column: RESIDUAL.into() };
         Ok(Value::scalar(evaluator.graph.leaf(sample), dimension))
+    }
+
+    /// The exponent of a column in the first varied value; a number whatever the column is.
+    fn order(&self, evaluator: &mut Evaluator<Sample>, between_neighbours: bool, id: ExprId) -> Outcome {
+        let name = column_name(evaluator.mistakes, self.file, id)?;
+        column_dimension(evaluator.mistakes, self.records, self.file, &name)?;
+        let leaf = evaluator.graph.leaf(Sample::Order {
+            record: name.table.text,
+            column: name.column.text,
+            varied: self.varied.to_vec(),
+            between_neighbours,
+        });
+        Ok(Value::scalar(leaf, Dimension::NUMBER))
     }
 
     fn column(&self, evaluator: &mut Evaluator<Sample>, name: &ColumnName) -> Outcome {

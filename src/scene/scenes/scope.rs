@@ -1,10 +1,11 @@
 //! The names in a scene.
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Scope, place_word};
-use super::super::file::{File, Reported};
+use super::super::file::{File, Mistakes, Reported};
 use super::super::model::Coordinate;
 use super::tables::Tables;
-use crate::syntax::{Argument, Name};
+use crate::syntax::{Argument, ExprId, Name};
+use crate::unit::Dimension;
 use std::rc::Rc;
 
 /// The names in a scene: its `let`s, and place and time where they mean something.
@@ -77,4 +78,15 @@ impl Scope<Coordinate> for SceneScope<'_> {
             _ => None,
         }
     }
+}
+
+/// The fixed quantity an expression is by itself, if it is one; nothing is reported.
+pub(in crate::scene) fn fixed_quantity(file: &Rc<File>, id: ExprId) -> Option<(f64, Dimension)> {
+    let mut silent = Mistakes::default();
+    let tables = Tables::new();
+    let scope = SceneScope { file, lets: Lets::default(), tables: &tables, place: false, time: false };
+    let mut evaluator = Evaluator::<Coordinate>::new(&mut silent);
+    let scalar = evaluator.scalar(&scope, id).ok()?;
+    let value = evaluator.known(scalar).filter(|value| value.is_finite())?;
+    Some((value, scalar.dimension))
 }

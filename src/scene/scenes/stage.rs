@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The dimensions of the columns of each record, by name; `None` where a column is wrong.
-pub(super) type Records = BTreeMap<String, BTreeMap<String, Option<Dimension>>>;
+pub(in crate::scene) type Records = BTreeMap<String, BTreeMap<String, Option<Dimension>>>;
 
 /// A scene under construction.
 pub(in crate::scene) struct Stage<'a> {
@@ -37,6 +37,8 @@ pub(in crate::scene) struct Stage<'a> {
     pub(in crate::scene) columns: Records,
     /// The column every table begins with: `t`, or the parameter of a drive.
     pub(in crate::scene) abscissa: String,
+    /// Columns of the varied values of a sweep, the first the one an order runs over.
+    pub(in crate::scene) varied: Vec<String>,
     /// Names of records, frames and plots.
     pub(super) outputs: BTreeMap<String, Name>,
     /// Where each prescribed motion is written, in the order of the scene's.
@@ -73,6 +75,7 @@ impl<'a> Stage<'a> {
             body_names: Vec::new(),
             columns: BTreeMap::new(),
             abscissa: TIME.into(),
+            varied: Vec::new(),
             outputs: BTreeMap::new(),
             sites: Vec::new(),
             load_sites: Vec::new(),
@@ -163,7 +166,7 @@ impl<'a> Stage<'a> {
     }
 
     /// One fixed value.
-    pub(super) fn constant(
+    pub(in crate::scene) fn constant(
         &mut self,
         site: &Site,
         name: &str,

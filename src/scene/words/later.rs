@@ -18,14 +18,6 @@ pub(super) static CHECK: Declaration =
 /// `fit name { … }`
 pub(super) static FIT: Declaration = block("fit", None, Target::Name, "Parameters of a material from data.");
 
-/// `sweep name { … }`
-pub(super) static SWEEP: Declaration =
-    block("sweep", None, Target::Name, "The same scene over several values.");
-
-/// `trade name { … }`
-pub(super) static TRADE: Declaration =
-    block("trade", None, Target::Name, "The same scene over numerical choices, error against cost.");
-
 /// Statements.
 pub(super) static STATEMENTS: &[Word] = &[
     Word {
@@ -44,7 +36,7 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "let",
         form: "let w = 30 s^-1",
         doc: "A name for an expression.",
-        context: "in `energy`, `material`, `scene` and `drive`",
+        context: "in `energy`, `material`, `scene`, `drive`, `sweep` and `trade`",
     },
     Word {
         word: "fibre",
@@ -68,8 +60,9 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "expect",
         form: "expect a == b within 1 % at record.column = [v, w]",
         doc: "What must hold of the recorded tables.",
-        context: "in `scene` and `drive`",
+        context: "in `scene`, `drive`, `sweep` and `trade`",
     },
+    super::sweep::VARY,
     Word {
         word: "csv",
         form: "csv(\"data.csv\", d = \"disp_mm\")",

@@ -12,6 +12,7 @@ mod load;
 mod motion;
 mod observe;
 mod run;
+mod sweep;
 
 use crate::schema::{Declaration, Vocabulary};
 
@@ -23,6 +24,7 @@ pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, ST
 pub(super) use motion::MOTION;
 pub(super) use observe::{FRAMES, PLOT, RECORD};
 pub(super) use run::RUN;
+pub(super) use sweep::{SWEEP, SWEEP_PLOT, SWEEP_RECORD, SWEEP_WORDS, TRADE};
 
 static BLOCKS: &[&Declaration] = &[
     &ENERGY,
@@ -48,10 +50,12 @@ static BLOCKS: &[&Declaration] = &[
     &DRIVE,
     &POINT_RECORD,
     &drive::POINT_PLOT,
+    &SWEEP,
+    &SWEEP_RECORD,
+    &SWEEP_PLOT,
+    &TRADE,
     &later::CHECK,
     &later::FIT,
-    &later::SWEEP,
-    &later::TRADE,
     &MOTION,
 ];
 
@@ -67,6 +71,7 @@ static VOCABULARY: Vocabulary = Vocabulary {
         SAMPLES,
         PATHS,
         POINT_WORDS,
+        SWEEP_WORDS,
         later::STATEMENTS,
     ],
 };
