@@ -1,0 +1,477 @@
+//! Nothing a file can say makes resolving panic, hang or point beside the text.
+//!
+//! `TISSUE_INPUTS=1000000 cargo test --test resolve_robust many -- --ignored` is the long run.
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+use tissue::scene::{LoadError, Loader, Memory, Mistake, resolve, vocabulary};
+use tissue::schema::{Declaration, Kind, Member, Parameter, Presence, Target};
+use tissue::syntax::{Code, Source, decode};
+
+/// SplitMix64: the inputs of a seed are the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        usize::try_from(self.next() % n.max(1) as u64).unwrap_or(0)
+    }
+
+    fn pick<'a, T: ?Sized>(&mut self, of: &[&'a T]) -> &'a T {
+        of[self.below(of.len())]
+    }
+}
+
+/// Everything inputs are made from.
+struct Material {
+    files: Memory,
+    /// Path and text of every specification.
+    specs: Vec<(String, String)>,
+    /// Words of the language.
+    words: Vec<String>,
+}
+
+fn walk(folder: &str, endings: &[&str], files: &mut BTreeMap<String, String>) {
+    let mut entries: Vec<_> = fs::read_dir(folder).expect("the folder is there").flatten().collect();
+    entries.sort_by_key(fs::DirEntry::path);
+    for entry in entries {
+        let path = entry.path().to_string_lossy().replace('\\', "/");
+        if Path::new(&path).is_dir() {
+            walk(&path, endings, files);
+        } else if endings.iter().any(|ending| path.ends_with(ending)) {
+            files.insert(path.clone(), fs::read_to_string(&path).expect("text"));
+        }
+    }
+}
+
+impl Material {
+    fn new() -> Self {
+        let mut files = BTreeMap::new();
+        walk("specs", &[".tissue", ".csv"], &mut files);
+        walk("verification/references", &[".csv"], &mut files);
+        let specs = files.iter().filter(|(path, _)| path.ends_with(".tissue"));
+        let specs: Vec<(String, String)> = specs.map(|(path, text)| (path.clone(), text.clone())).collect();
+        let mut words: Vec<String> = PIECES.iter().map(|piece| piece.to_string()).collect();
+        for block in vocabulary().blocks {
+            words.push(block.word.into());
+            words.push(format!("{} x {{", block.word));
+            words.extend(block.keys.iter().map(|key| format!("{} =", key.name)));
+        }
+        words.extend(vocabulary().all_words().map(|word| word.form.to_string()));
+        Self { files: Memory { files }, specs, words }
+    }
+}
+
+const PIECES: &[&str] = &[
+    "",
+    "0",
+    "-1",
+    "1e308",
+    "1e-308",
+    "1e999",
+    "1 mm",
+    "7 kPa",
+    "2 s",
+    "1e-7 Pa^-1",
+    "45 deg",
+    "5 %",
+    "J",
+    "a1",
+    "strip",
+    "strip.xmin",
+    "pull.d",
+    "test.P",
+    "X",
+    "t",
+    "[",
+    "]",
+    "{",
+    "}",
+    "(",
+    ")",
+    "+",
+    "-",
+    "^",
+    "/",
+    "*",
+    "->",
+    "..",
+    "==",
+    "<",
+    ">=",
+    ",",
+    "=",
+    ".",
+    "over",
+    "within",
+    "at",
+    "in",
+    "\"",
+    "#",
+    "\n",
+    "λ",
+    "µ",
+    "\t",
+    "let",
+    "param",
+    "expect",
+    "vary",
+    "fibre",
+    "[1, 1, 0]",
+    "[0.5, 1, 2]",
+    "1/0",
+    "0^0",
+    "(-1)^0.5",
+    "1e300^9",
+    "let f = f",
+    "let f(a) = f(a)",
+    "f(f(f(2)))",
+    "sum(i in 1 .. 1000000, i)",
+    "sum(a in fibres, 1)",
+    "box(1 m, 1 m, 1 m)",
+    "ramp(0 m -> 1 m, over = 1 s)",
+    "unit([0, 0, 0])",
+    "if(1 < 2, 3, 4)",
+];
+
+const NAMES: &[&str] = &["a", "b", "gel", "strip", "test", "P", "s", "x", "λ"];
+
+fn name(random: &mut Random) -> String {
+    random.pick(NAMES).to_string()
+}
+
+/// A value of a kind, or anything.
+fn value(random: &mut Random, material: &Material, key: &Parameter) -> String {
+    if random.below(4) == 0 {
+        return material.words[random.below(material.words.len())].clone();
+    }
+    if let (Presence::Required(example), 1..) = (key.presence, random.below(3)) {
+        return example.split_once('=').map_or(String::new(), |(_, value)| value.trim().into());
+    }
+    match key.kind {
+        Kind::Quantity(_) | Kind::Field(_) | Kind::Count => {
+            let units = ["", " mm", " s", " kPa", " kg/m^3", " m/s", " deg", " Pa^-1"];
+            format!("{}{}", random.pick(&["0", "1", "0.5", "-2", "1e-3", "1e9", "3"]), random.pick(&units))
+        }
+        Kind::Vector(_) | Kind::VectorField(_) => {
+            random.pick(&["[0 m, 0 m, 1 m]", "[1 Pa, X, 0]", "[0 m/s, 0 m/s, -1 m/s]", "[1, 2]"]).to_string()
+        }
+        Kind::Choice(choices) | Kind::Choices(choices) if !choices.is_empty() => {
+            choices[random.below(choices.len())].word.into()
+        }
+        Kind::Material => name(random),
+        Kind::Shape => {
+            random.pick(&["box(1 m, 1 m, 1 m)", "box(4 mm, 2 mm, 1 mm)", "cylinder(1 m)"]).to_string()
+        }
+        Kind::Energy => random
+            .pick(&["neo_hooke(mu = 1 kPa) + vol_quadratic(K = 1 MPa)", "neo_hooke(mu = 1 m)"])
+            .to_string(),
+        Kind::Curve => {
+            random.pick(&["test.P over test.stretch", "test.P over test.t", "s.x over s.b"]).to_string()
+        }
+        _ => material.words[random.below(material.words.len())].clone(),
+    }
+}
+
+fn entries(random: &mut Random, material: &Material, block: &Declaration, depth: usize) -> String {
+    let mut text = String::new();
+    for key in block.keys {
+        if random.below(5) > 0 {
+            text.push_str(&format!("{} = {}\n", key.name, value(random, material, key)));
+        }
+    }
+    for member in block.members {
+        if random.below(3) == 0 {
+            continue;
+        }
+        let word = &material.words[random.below(material.words.len())];
+        let (a, b) = (name(random), name(random));
+        text.push_str(&match member {
+            Member::Let => format!("let {a} = {word}\n"),
+            Member::Param => format!("param {a} : pressure > 0 = 2 kPa\n"),
+            Member::Fibre => format!("fibre {a} = unit([1, 2, 0])\n"),
+            Member::Fibres => format!("fibres {a}\n"),
+            Member::Direction => format!("direction {a}\n"),
+            Member::Expect => format!("expect {a}.{b} == {word} within 1 % at {a} = 1\n"),
+            Member::Directions => format!("{a} = [1, 0, 0]\n"),
+            Member::Columns => format!("{a} = {word}\n"),
+            Member::Vary => format!("vary {a}.neo_hooke.mu = [1 kPa, {word}]\n"),
+        });
+    }
+    let inner: Vec<&&Declaration> =
+        vocabulary().blocks.iter().filter(|inner| inner.within == Some(block.word)).collect();
+    if depth > 0 && !inner.is_empty() {
+        for _ in 0..random.below(8) {
+            let chosen = inner[random.below(inner.len())];
+            text.push_str(&generated_block(random, material, chosen, depth - 1));
+        }
+    }
+    text
+}
+
+fn generated_block(random: &mut Random, material: &Material, block: &Declaration, depth: usize) -> String {
+    let target = match block.target {
+        Target::Absent => String::new(),
+        Target::Name | Target::Body => name(random),
+        Target::Face => format!("{}.{}", name(random), random.pick(&["xmin", "xmax", "ymin", "side"])),
+    };
+    format!("{} {target} {{\n{}}}\n", block.word, entries(random, material, block, depth))
+}
+
+/// A file from the declarations: blocks, keys and values that mostly fit.
+fn generated(random: &mut Random, material: &Material) -> String {
+    let top: Vec<&&Declaration> = vocabulary().blocks.iter().filter(|b| b.within.is_none()).collect();
+    let mut text = String::from("tissue 1\nimport std.energies { neo_hooke, vol_quadratic, goh }\n");
+    if random.below(2) == 0 {
+        let gel = "energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 1 MPa)\ndensity = 1000 kg/m^3";
+        text.push_str(&format!("material {} {{\n{gel}\n}}\n", name(random)));
+    }
+    for _ in 0..1 + random.below(4) {
+        let block = top[random.below(top.len())];
+        text.push_str(&generated_block(random, material, block, 2));
+    }
+    text
+}
+
+/// A specification with a few words replaced, lost, repeated or exchanged.
+fn mutated(random: &mut Random, material: &Material) -> (String, String) {
+    let (path, text) = &material.specs[random.below(material.specs.len())];
+    let mut words: Vec<&str> = text.split_inclusive([' ', '\n', '(', ')', '*', ',', '.']).collect();
+    for _ in 0..1 + random.below(4) {
+        let at = random.below(words.len());
+        match random.below(5) {
+            0 => words[at] = "",
+            1 => {
+                let other = random.below(words.len());
+                words.swap(at, other);
+            }
+            2 => words.insert(at, words[random.below(words.len())]),
+            _ => {
+                let word: &str = &material.words[random.below(material.words.len())];
+                words[at] = word;
+                words.insert(at + 1, " ");
+            }
+        }
+    }
+    (path.clone(), words.concat())
+}
+
+/// Bytes, with luck text, below a version line.
+fn bytes(random: &mut Random) -> String {
+    let raw: Vec<u8> = (0..random.below(200)).map(|_| (random.next() & 0xff) as u8).collect();
+    let text = match decode("bytes", raw.clone()) {
+        Ok(source) => source.text,
+        Err(_) => raw.iter().map(|byte| char::from(byte & 0x7f)).collect(),
+    };
+    if random.below(2) == 0 { text } else { format!("tissue 1\n{text}") }
+}
+
+/// What is told points into its file, can be drawn and has a form for editors.
+fn told_well(found: &[Mistake]) {
+    for mistake in found {
+        let text = &mistake.source.text;
+        let drawn = mistake.render();
+        assert!(drawn.starts_with("error[E0"), "{drawn}");
+        for label in &mistake.diagnostic.labels {
+            assert!(text.get(label.span.clone()).is_some(), "{mistake:?}");
+        }
+        let json = mistake.diagnostic.to_json(&mistake.source);
+        if let Some(label) = mistake.diagnostic.labels.first() {
+            let before = &text[..label.span.start];
+            let line = before.matches('\n').count() + 1;
+            let column = before.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
+            let place = format!("--> {}:{line}:{column}\n", mistake.source.name);
+            assert!(drawn.contains(&place), "{drawn} lacks {place}");
+            assert!(json.to_string().contains(&format!("\"line\":{line}")), "{json}");
+        }
+    }
+}
+
+fn try_seed(seed: u64, material: &Material) {
+    let random = &mut Random(seed);
+    let (name, text) = match seed % 8 {
+        0 => ("specs/bytes.tissue".to_string(), bytes(random)),
+        1..=4 => mutated(random, material),
+        _ => ("specs/generated.tissue".to_string(), generated(random, material)),
+    };
+    let clock = Instant::now();
+    let found = resolve(&Source { name, text: text.clone() }, &material.files, &[]).1;
+    assert!(clock.elapsed() < Duration::from_secs(60), "seed {seed} takes {:?}\n{text}", clock.elapsed());
+    told_well(&found);
+}
+
+#[test]
+fn no_input_makes_resolving_panic() {
+    let material = Material::new();
+    for seed in 0..400 {
+        try_seed(seed, &material);
+    }
+}
+
+#[test]
+#[ignore = "a million inputs take minutes"]
+fn many_inputs_make_no_resolving_panic() {
+    let inputs: u64 = std::env::var("TISSUE_INPUTS").ok().and_then(|n| n.parse().ok()).unwrap_or(100_000);
+    let next = AtomicU64::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                let material = Material::new();
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= inputs {
+                        break;
+                    }
+                    try_seed(0xcafe_0000_0000 + seed, &material);
+                }
+            });
+        }
+    });
+    assert!(next.load(Ordering::Relaxed) >= inputs);
+}
+
+#[test]
+fn generated_files_are_mostly_about_meaning_and_some_are_right() {
+    let material = Material::new();
+    let (mut of_form, mut of_meaning, mut right) = (0, 0, 0);
+    for seed in 0..400 {
+        let (_, text) = mutated(&mut Random(seed), &material);
+        let found = resolve(&Source { name: "specs/x.tissue".into(), text }, &material.files, &[]).1;
+        let codes: Vec<Code> = found.iter().map(|mistake| mistake.diagnostic.code).collect();
+        match codes.first() {
+            None => right += 1,
+            Some(code) if code.number() < "E0200" => of_form += 1,
+            Some(_) => of_meaning += 1,
+        }
+    }
+    assert!(of_form > 20 && of_meaning > 20 && right > 4, "{of_form} {of_meaning} {right}");
+}
+
+/// Every failing file with other line ends, other blanks and Greek names is told at the same characters.
+#[test]
+fn places_do_not_depend_on_line_ends_blanks_or_letters() {
+    let mut checked = 0;
+    for entry in fs::read_dir("tests/language").expect("the folder is there").flatten() {
+        let path = entry.path().to_string_lossy().replace('\\', "/");
+        let Some(stem) = path.strip_suffix(".tissue") else { continue };
+        let text = fs::read_to_string(&path).expect("text");
+        let told = |text: &str| -> String {
+            let source = Source { name: path.clone(), text: text.into() };
+            let found = resolve(&source, &tissue::scene::FileSystem, &[]).1;
+            told_well(&found);
+            found.iter().map(Mistake::render).collect::<Vec<_>>().join("\n")
+        };
+        let plain = told(&text);
+        assert_eq!(told(&text.replace('\n', "\r\n")).replace('\r', ""), plain, "{stem} with CRLF");
+        let tabs = told(&text.replace("\n  ", "\n\t\t"));
+        let place =
+            |text: &str| text.lines().filter(|l| l.contains(" --> ")).map(String::from).collect::<Vec<_>>();
+        assert_eq!(place(&tabs), place(&plain), "{stem} with tabs");
+        // `gel` and `γελ` are three characters each, but three and six bytes; other files keep their names.
+        if !text.contains("import \"") {
+            assert_eq!(told(&text.replace("gel", "γελ")).replace("γελ", "gel"), plain, "{stem} in Greek");
+        }
+        checked += 1;
+    }
+    assert!(checked > 100);
+}
+
+/// A loader whose files are there a few times and then are not.
+struct Vanishing {
+    left: Cell<u32>,
+    text: &'static str,
+}
+
+impl Loader for Vanishing {
+    fn load(&self, _: &str) -> Result<String, LoadError> {
+        if self.left.get() == 0 {
+            return Err(LoadError::Missing);
+        }
+        self.left.set(self.left.get() - 1);
+        Ok(self.text.into())
+    }
+}
+
+#[test]
+fn a_file_that_vanishes_is_told_and_one_that_was_read_is_not_read_again() {
+    let law = "tissue 1\nimport std.energies { neo_hooke, vol_quadratic }\nmaterial gel { energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 1 MPa)  density = 1000 kg/m^3 }\n";
+    let text = "tissue 1
+import \"law.tissue\" { gel }
+drive d { material = gel  path = uniaxial(x, stretch = 1 .. 1.1, steps = 2)  record test { P = P.xx } }
+sweep s { of = d  vary gel.neo_hooke.mu = [1 kPa, 2 kPa, 3 kPa]  record table { P = final(test.P) } }
+";
+    let codes = |left| {
+        let loader = Vanishing { left: Cell::new(left), text: law };
+        let source = Source { name: "a.tissue".into(), text: text.into() };
+        resolve(&source, &loader, &[]).1.iter().map(|m| m.diagnostic.code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes(0), [Code::FileNotFound]);
+    assert_eq!(codes(1), [], "read once, a sweep of three points sees the same text at each");
+}
+
+#[test]
+fn files_in_a_circle_and_long_chains_are_told() {
+    let mut files = BTreeMap::new();
+    for index in 0..200 {
+        let next = (index + 1) % 200;
+        files.insert(format!("f{index}.tissue"), format!("tissue 1\nimport \"f{next}.tissue\" {{ gel }}\n"));
+    }
+    let text = files["f0.tissue"].clone();
+    let found = resolve(&Source { name: "f0.tissue".into(), text }, &Memory { files }, &[]).1;
+    assert!(found.iter().any(|mistake| mistake.diagnostic.code == Code::ImportCycle), "{found:?}");
+    let files =
+        BTreeMap::from([("f0.tissue".to_string(), "tissue 1\nimport \"f0.tissue\" { gel }\n".to_string())]);
+    let text = files["f0.tissue"].clone();
+    let found = resolve(&Source { name: "f0.tissue".into(), text }, &Memory { files }, &[]).1;
+    assert_eq!(found[0].diagnostic.code, Code::ImportCycle);
+}
+
+/// A megabyte of lets, of columns, of sums, of points: told or read, in time.
+#[test]
+fn large_and_deep_meanings_are_refused_or_read_in_time() {
+    let gel = "tissue 1\nimport std.energies { neo_hooke, vol_quadratic }\nmaterial gel { energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 1 MPa)  density = 1000 kg/m^3 }\n";
+    let drive = |inner: &str| {
+        format!(
+            "{gel}drive d {{\nmaterial = gel\npath = uniaxial(x, stretch = 1 .. 1.1, steps = 2)\n{inner}}}\n"
+        )
+    };
+    let chain: String = (0..3000).map(|i| format!("let a{} = a{i} + a{i}\n", i + 1)).collect();
+    let bombs = [
+        drive(&format!("let a0 = 1\n{chain}record t {{ x = a3000 }}\n")),
+        drive(&format!("let a0 = 1\n{chain}record t {{ x = a60 }}\n")),
+        drive(&format!(
+            "record t {{\n{}}}\n",
+            (0..20_000).map(|i| format!("c{i} = P.xx\n")).collect::<String>()
+        )),
+        drive("record t { x = sum(i in 1 .. 1000000, sum(j in 1 .. 1000000, i*j)) }\n"),
+        drive(&format!("record t {{ x = {}1{} }}\n", "sqrt(".repeat(5000), ")".repeat(5000))),
+        format!(
+            "{}sweep s {{ of = d\nvary gel.neo_hooke.mu = [{}]\nrecord q {{ x = final(t.P) }} }}\n",
+            drive("record t { P = P.xx }\n"),
+            (0..30_000).map(|i| format!("{} kPa", i + 1)).collect::<Vec<_>>().join(", ")
+        ),
+        format!("{gel}{}", "material gel { }\n".repeat(40_000)),
+        format!("tissue 1\n{}", "energy e { psi = nothing }\n".repeat(30_000)),
+    ];
+    for (index, text) in bombs.into_iter().enumerate() {
+        assert!(text.len() < 1_000_000, "{index}: {}", text.len());
+        let clock = Instant::now();
+        let source = Source { name: "bomb.tissue".into(), text };
+        let found = resolve(&source, &tissue::scene::FileSystem, &[]).1;
+        let limit = if cfg!(debug_assertions) { 60 } else { 20 };
+        assert!(clock.elapsed() < Duration::from_secs(limit), "{index} takes {:?}", clock.elapsed());
+        told_well(&found[..found.len().min(50)]);
+    }
+}
