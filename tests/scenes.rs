@@ -260,7 +260,7 @@ fn a_scheme_fills_in_what_is_not_written() {
     };
     let seed = run("scheme = seed");
     assert_eq!((seed.integrator, seed.cfl), (Integrator::TvdRk2, 0.3));
-    assert_eq!((seed.formulation, seed.volume_dissipation), (Some(Formulation::Pfhj), true));
+    assert_eq!((seed.formulation, seed.volume_dissipation), (Some(Formulation::Pfhj), VolumeDissipation::On));
     assert_eq!(
         (seed.consistency, seed.momentum_dissipation),
         (Consistency::Kernel, InterfaceStates::Constant)
@@ -268,12 +268,20 @@ fn a_scheme_fills_in_what_is_not_written() {
     assert_eq!((seed.wave_speed_every, seed.smoothing), (0, 1.01));
     let improved = run("scheme = improved");
     assert_eq!((improved.integrator, improved.cfl), (Integrator::VelocityVerlet, 0.9));
-    assert_eq!((improved.formulation, improved.volume_dissipation), (None, false));
+    assert_eq!((improved.formulation, improved.volume_dissipation), (None, VolumeDissipation::Off));
     assert_eq!(improved.consistency, Consistency::Integration);
     assert_eq!((improved.momentum_dissipation, improved.wave_speed_every), (InterfaceStates::Linear, 10));
     assert_eq!(improved.written, ["until", "scheme"]);
     assert_eq!(run("integrator = tvd_rk2").cfl, 0.3);
     assert_eq!(run("integrator = tvd_rk2  cfl = 0.2").cfl, 0.2);
+    assert_eq!(
+        (run("integrator = ssp_rk3").integrator, run("integrator = ssp_rk3").cfl),
+        (Integrator::SspRk3, 0.9)
+    );
+    assert_eq!(
+        (seed.angular_momentum, improved.angular_momentum),
+        (AngularMomentum::Free, AngularMomentum::Free)
+    );
     assert_eq!(run("kernel = cubic_spline").kernel, Kernel::CubicSpline);
     assert_eq!(run("").loading, Loading::Dynamic);
     let quasi_static = run("loading = quasi_static  damping = 100 s^-1");

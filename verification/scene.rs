@@ -31,6 +31,27 @@ pub(super) fn step(simulation: &mut Simulation, scene: &Scene, steps: u64) {
     }
 }
 
+/// A cube of 1 m with 125 particles that spins with 105 rad/s about its diagonal, for some turns.
+pub(super) fn spinning_cube(run: &str, turns: f64) -> String {
+    let until = turns * 0.059_839_860_1;
+    format!(
+        "tissue 1
+import std.energies {{ neo_hooke, vol_quadratic }}
+material rubber {{ energy = neo_hooke(mu = 6.538 MPa) + vol_quadratic(K = 14.167 MPa)  density = 1100 kg/m^3 }}
+scene spin {{
+  body cube {{ shape = box(1 m, 1 m, 1 m, centre = [0 m, 0 m, 0 m])  spacing = 0.25 m  material = rubber }}
+  start cube {{ velocity = [60.62 s^-1 * (Z - Y), 60.62 s^-1 * (X - Z), 60.62 s^-1 * (Y - X)] }}
+  run {{ until = {until} s  {run} }}
+}}
+"
+    )
+}
+
+/// The same as [`thrown_cube`] with 64 particles, for many steps.
+pub(super) fn small_cube(run: &str, more: &str) -> String {
+    thrown_cube(run, more).replace("box(6 mm, 6 mm, 6 mm)", "box(3 mm, 3 mm, 3 mm)")
+}
+
 /// A free fibrous cube, its nodes displaced by a fifth of the spacing, thrown, spun and stretched.
 ///
 /// `{run}` stands for further choices of its run block, `{more}` for further blocks.

@@ -69,6 +69,8 @@ pub struct Observer {
 enum Prepared {
     /// Nothing beyond time, totals, involutions or extremes.
     Plain,
+    /// Mirror images that add up.
+    Images(f64),
     /// Particles and weights.
     Weighted { body: usize, weights: Vec<(usize, f64)>, factor: f64 },
     /// Layers of a body along an axis.
@@ -130,9 +132,9 @@ impl Observer {
     fn value(&self, probe: &Probe, simulation: &Simulation, sums: &Totals, maps: &Involutions) -> f64 {
         let bodies = simulation.bodies();
         let weighted = |value: &dyn Fn(&BodyState, usize) -> f64| {
-            let prepared =
-                self.prepared.iter().find(|(known, _)| known == probe).map(|(_, prepared)| prepared);
-            let Some(Prepared::Weighted { body, weights, factor }) = prepared else { return f64::NAN };
+            let Some(Prepared::Weighted { body, weights, factor }) = self.prepared(probe) else {
+                return f64::NAN;
+            };
             let body = &bodies[*body];
             factor * weights.iter().map(|&(a, w)| w * value(body, a)).sum::<f64>()
         };
@@ -163,6 +165,10 @@ impl Observer {
             Probe::TotalEnergy => sums.kinetic_energy + sums.strain_energy,
             Probe::Momentum(axis) => sums.momentum[*axis as usize],
             Probe::AngularMomentum(axis) => sums.angular_momentum[*axis as usize],
+            Probe::Impulse { body, face, axis } => {
+                let Some(Prepared::Images(count)) = self.prepared(probe) else { return f64::NAN };
+                count * simulation.impulses()[*body].of(face.as_deref(), *axis as usize)
+            }
             Probe::Volume => sums.volume,
             Probe::MotionError(_) => f64::NAN,
             Probe::GradientError => maps.gradient,
@@ -171,6 +177,10 @@ impl Observer {
             Probe::CurlF => maps.curl_f,
             Probe::DivH => maps.div_h,
         }
+    }
+
+    fn prepared(&self, probe: &Probe) -> Option<&Prepared> {
+        self.prepared.iter().find(|(known, _)| known == probe).map(|(_, prepared)| prepared)
     }
 
     /// Extreme of a field over the particles and their mirror images.
@@ -231,6 +241,11 @@ fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepare
         Probe::SectionForce { body, normal, at, axis } => {
             section(scene, bodies, *body, *normal as usize, *at, *axis as usize)?
         }
+        Probe::Impulse { body, face, axis } => {
+            let shape = &scene.bodies[*body].shape;
+            let normal = face.as_ref().and_then(|face| shape.face_normal(face)).map(|normal| normal.iamax());
+            Prepared::Images(images(&scene.symmetry, normal, *axis as usize))
+        }
         _ => Prepared::Plain,
     })
 }
@@ -240,7 +255,7 @@ fn face_mean(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) 
     let Some(face) = bodies[region.body].particles.face(&region.face) else { return Prepared::Plain };
     let weights = face.nodes.iter().zip(&face.area).map(|(&a, area)| (a as usize, area.norm())).collect();
     let total: f64 = face.area.iter().map(|area| area.norm()).sum();
-    let cancels = images(scene, normal_axis(scene, region), axis) == 0.0;
+    let cancels = images(&scene.symmetry, normal_axis(scene, region), axis) == 0.0;
     Prepared::Weighted { body: region.body, weights, factor: if cancels { 0.0 } else { 1.0 / total } }
 }
 
@@ -250,8 +265,8 @@ fn normal_axis(scene: &Scene, region: &Region) -> Option<usize> {
 }
 
 /// Mirror images of a plane normal to `normal`, and whether component `axis` cancels among them.
-fn images(scene: &Scene, normal: Option<usize>, axis: usize) -> f64 {
-    let across = |plane: usize| Some(plane) != normal && scene.symmetry[plane].is_some();
+fn images(symmetry: &[Option<SymmetryPlane>; 3], normal: Option<usize>, axis: usize) -> f64 {
+    let across = |plane: usize| Some(plane) != normal && symmetry[plane].is_some();
     if across(axis) {
         return 0.0;
     }
@@ -263,7 +278,7 @@ fn reaction(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) -
     let body = &bodies[region.body];
     let held = body.supports.iter().find(|support| support.face == region.face && support.axis == axis);
     let weights = held.map_or_else(Vec::new, |s| s.nodes.iter().map(|&a| (a as usize, 1.0)).collect());
-    let factor = images(scene, normal_axis(scene, region), axis);
+    let factor = images(&scene.symmetry, normal_axis(scene, region), axis);
     Prepared::Weighted { body: region.body, weights, factor }
 }
 
@@ -307,7 +322,7 @@ fn section(
         .map(|(a, x)| (a, body.particles.volume[a] * share(x[normal])))
         .filter(|(_, weight)| *weight > 0.0)
         .collect();
-    Ok(Prepared::Weighted { body: index, weights, factor: images(scene, Some(normal), axis) })
+    Ok(Prepared::Weighted { body: index, weights, factor: images(&scene.symmetry, Some(normal), axis) })
 }
 
 /// Share of the spacing below which two coordinates are one.

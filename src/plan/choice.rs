@@ -1,7 +1,9 @@
 //! The numerical choices of a run and where each came from.
 
 use crate::discretisation::{Consistency, Kernel};
-use crate::scene::{Formulation, Integrator, InterfaceStates, Loading, Scene, Scheme};
+use crate::scene::{
+    AngularMomentum, Formulation, Integrator, InterfaceStates, Loading, Scene, Scheme, VolumeDissipation,
+};
 
 /// One numerical choice.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,6 +57,7 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         "integrator",
         match run.integrator {
             Integrator::TvdRk2 => "tvd_rk2",
+            Integrator::SspRk3 => "ssp_rk3",
             Integrator::VelocityVerlet => "velocity_verlet",
         }
         .into(),
@@ -84,7 +87,27 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     add("pressure_wave_weight", run.pressure_wave_weight.to_string());
     add("shear_wave_weight", run.shear_wave_weight.to_string());
     add("hourglass_stiffness", run.hourglass_stiffness.to_string());
-    add("volume_dissipation", on_off(run.volume_dissipation));
+    add(
+        "volume_dissipation",
+        match run.volume_dissipation {
+            VolumeDissipation::Off => "off",
+            VolumeDissipation::On => "on",
+            VolumeDissipation::Restoring { .. } => "restoring",
+        }
+        .into(),
+    );
+    if let VolumeDissipation::Restoring { rate } = run.volume_dissipation {
+        let chosen = format!("{RELAXATION_OF_J:.0} c_p/dx");
+        add("volume_relaxation", rate.map_or(chosen, |rate| format!("{rate:.4e} s^-1")));
+    }
+    add(
+        "angular_momentum",
+        match run.angular_momentum {
+            AngularMomentum::Free => "free",
+            AngularMomentum::Projected => "projected",
+        }
+        .into(),
+    );
     add(
         "wave_speed_every",
         match run.wave_speed_every {
@@ -119,3 +142,9 @@ pub fn damping_rate(scene: &Scene) -> f64 {
 
 /// Relaxation times of the damping within the loading time.
 const RELAXATIONS: f64 = 20.0;
+
+/// Rate at which J is drawn to `det F` unless the scene states one, in units of `c_p/dx`.
+///
+/// D(J) smooths the shortest waves at a rate of the order of `c_p/dx` and longer ones more slowly, with the
+/// square of their length. At the same rate J keeps no more than what D(J) adds in the time `dx/c_p`.
+pub const RELAXATION_OF_J: f64 = 1.0;

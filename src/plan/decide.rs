@@ -2,7 +2,10 @@
 
 use super::{Decision, Field, Pass, Plan, choices};
 use crate::energy::{Invariant, Leaf};
-use crate::scene::{Coordinate, Formulation, InterfaceStates, Loading, Material, Place, Scene};
+use crate::scene::{
+    AngularMomentum, Coordinate, Formulation, InterfaceStates, Loading, Material, Place, Probe, Scene,
+    VolumeDissipation,
+};
 
 /// Decides everything about a scene.
 pub(super) fn plan(scene: &Scene) -> Plan {
@@ -37,7 +40,7 @@ impl<'a> Facts<'a> {
                 };
                 (formulation, who)
             }
-            None if scene.run.volume_dissipation => {
+            None if scene.run.volume_dissipation != VolumeDissipation::Off => {
                 (Formulation::Pfj, format!("volume dissipation changes J, {}", line(&scene.run.place)))
             }
             None => (
@@ -242,12 +245,13 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
     );
     add(
         Pass::VolumeDissipation,
-        run.volume_dissipation,
-        if run.volume_dissipation {
-            "D(J) smooths the pressure (34)".into()
-        } else {
-            "off: D(J) has no restoring force and lets J drift from det F".into()
-        },
+        run.volume_dissipation != VolumeDissipation::Off,
+        match run.volume_dissipation {
+            VolumeDissipation::Off => "off: D(J) has no restoring force and lets J drift from det F",
+            VolumeDissipation::On => "D(J) smooths the pressure (34)",
+            VolumeDissipation::Restoring { .. } => "D(J) smooths the pressure (34); J relaxes to det F",
+        }
+        .into(),
     );
     add(
         Pass::Hourglass,
@@ -280,6 +284,19 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
             },
         );
     }
+    let (projected, why_projected) = projection(scene);
+    add(Pass::TorqueProjection, projected, why_projected);
+    let impulse = scene.records.iter().find(|record| {
+        let mut leaves = record.columns.iter().flat_map(|column| column.value.leaves());
+        leaves.any(|probe| matches!(probe, Probe::Impulse { .. }))
+    });
+    add(
+        Pass::Impulse,
+        impulse.is_some(),
+        impulse.map_or("no record asks for an impulse".into(), |r| {
+            format!("record `{}`, {}", r.name, line(&r.place))
+        }),
+    );
     add(
         Pass::WaveSpeed,
         run.wave_speed_every > 0,
@@ -290,4 +307,22 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         },
     );
     list
+}
+
+/// Whether any body has an angular momentum to keep, and why.
+fn projection(scene: &Scene) -> (bool, String) {
+    let held = |body: usize| scene.prescribed.iter().any(|prescribed| prescribed.region.body == body);
+    if scene.run.angular_momentum == AngularMomentum::Free {
+        (false, "angular momentum is what forces and integrator make of it".into())
+    } else if scene.symmetry.iter().flatten().count() > 1 {
+        (false, "mirrored about more than one plane, the whole has no angular momentum".into())
+    } else if !scene.bonds.is_empty() {
+        (false, "bonded bodies exchange angular momentum".into())
+    } else if scene.motion.is_some() {
+        (false, "an exact motion moves the body".into())
+    } else if (0..scene.bodies.len()).all(held) {
+        (false, "every body is held, so reactions change its angular momentum".into())
+    } else {
+        (true, format!("internal forces lose their torque, {}", line(&scene.run.place)))
+    }
 }

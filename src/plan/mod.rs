@@ -8,7 +8,7 @@ mod choice;
 mod decide;
 mod render;
 
-pub use choice::{Choice, choices, damping_rate};
+pub use choice::{Choice, RELAXATION_OF_J, choices, damping_rate};
 
 use crate::scene::{Formulation, Scene};
 
@@ -60,6 +60,10 @@ pub enum Pass {
     AffineDamping,
     /// Forces shared on the common nodes of bonded bodies; asked only where there are several.
     Bond,
+    /// Torques of the internal forces taken out of free bodies.
+    TorqueProjection,
+    /// Sums of what supports and loads give to the momentum.
+    Impulse,
     /// Refresh of the wave speeds of (42).
     WaveSpeed,
 }

@@ -265,6 +265,8 @@ pub enum Formulation {
 pub enum Integrator {
     /// Two-stage TVD Runge–Kutta (Heun), the paper's.
     TvdRk2,
+    /// Three-stage, third-order strong-stability-preserving Runge–Kutta.
+    SspRk3,
     /// Velocity Verlet.
     VelocityVerlet,
 }
@@ -291,6 +293,29 @@ pub enum InterfaceStates {
     Constant,
     /// Carried to the middle of the pair with the corrected gradient.
     Linear,
+}
+
+/// Dissipation of the volume map, D(J).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum VolumeDissipation {
+    /// None.
+    Off,
+    /// As printed.
+    On,
+    /// As printed, and J relaxes towards `det F` at a rate (1/s; `None` lets the plan choose).
+    Restoring {
+        /// Relaxation rate, 1/s.
+        rate: Option<f64>,
+    },
+}
+
+/// What becomes of the angular momentum of a free body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum AngularMomentum {
+    /// What the forces and the integrator make of it.
+    Free,
+    /// Kept to round-off by a least correction of the accelerations.
+    Projected,
 }
 
 /// Numerical choices of `run { … }`, defaults filled in by the scheme.
@@ -324,8 +349,10 @@ pub struct Run {
     pub shear_wave_weight: f64,
     /// Stiffness against hourglass modes, in shear moduli at rest; 0 for none.
     pub hourglass_stiffness: f64,
-    /// D(J) on or off.
-    pub volume_dissipation: bool,
+    /// D(J).
+    pub volume_dissipation: VolumeDissipation,
+    /// Angular momentum of free bodies.
+    pub angular_momentum: AngularMomentum,
     /// Steps between two refreshes of the wave speed.
     pub wave_speed_every: u32,
     /// Which of the choices above were written in the file, by key.
@@ -428,6 +455,15 @@ pub enum Probe {
     Momentum(u8),
     /// `Σ V_a x_a × p_a`, kg m²/s.
     AngularMomentum(u8),
+    /// Impulse since the start of what acts on a face or on a whole body, N s.
+    Impulse {
+        /// Index of the body.
+        body: usize,
+        /// The face; `None` is all that acts on the body.
+        face: Option<String>,
+        /// Component.
+        axis: u8,
+    },
     /// `Σ V_a J_a`, m³.
     Volume,
     /// Root mean square of the difference from the exact motion, weighted by volume, SI.

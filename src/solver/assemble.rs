@@ -50,8 +50,8 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         .wave_speeds(&Mat3::identity(), directions.of(0), material.density)
         .map_err(|cause| SolveError::Energy { material: material.name.clone(), cause })?;
     let supports = supports(scene, plan, index, &particles, &mut scratch);
-    let external = ExternalForces::new(&scene.loads, index, &particles, material.density);
-    let saves = scene.run.integrator == Integrator::TvdRk2;
+    let mut external = ExternalForces::new(&scene.loads, index, &particles, material.density);
+    let saves = scene.run.integrator != Integrator::VelocityVerlet;
     let has_external = plan.carries(Field::ExternalForce);
     let exact = Exact::new(scene, index, material, &particles, &directions)?;
     let start = exact.as_ref().map(|exact| exact.states(&particles.position, 0.0));
@@ -95,7 +95,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         deform(&mut state, start);
     }
     if has_external {
-        external.evaluate(&state.particles.position, 0.0, &mut state.external, &mut scratch);
+        external.evaluate(&state.particles, 0.0, &mut state.external, &mut scratch);
         let BodyState { exact, law, particles, external, .. } = &mut state;
         if let Some(exact) = exact {
             let target = Target { law, reference: &particles.position, external };

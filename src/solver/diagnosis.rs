@@ -5,7 +5,7 @@
 
 use super::body::{BodyState, Failure};
 use super::error::{Cause, SolveError};
-use crate::scene::{Integrator, Run};
+use crate::scene::{Integrator, Run, VolumeDissipation};
 use crate::tensor::{cofactor, volume_map};
 
 /// The first particle the last stress pass found inadmissible, as an error.
@@ -56,7 +56,7 @@ pub fn not_finite(bodies: &[BodyState], run: &Run, step: f64, time: f64) -> Opti
 fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
     let f = body.f(particle);
     let det = volume_map(f, &cofactor(f));
-    if run.volume_dissipation
+    if run.volume_dissipation != VolumeDissipation::Off
         && let Some(j) = body.j(particle)
         && (j - det).abs().partial_cmp(&DRIFT).is_none_or(std::cmp::Ordering::is_gt)
     {
@@ -70,6 +70,7 @@ fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
     }
     let limit = match run.integrator {
         Integrator::TvdRk2 => TVD_RK2_LIMIT,
+        Integrator::SspRk3 => SSP_RK3_LIMIT,
         Integrator::VelocityVerlet => VERLET_LIMIT,
     };
     if run.cfl > limit {
@@ -90,8 +91,9 @@ fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
 /// A gap between J and det F that can no longer be a truncation error.
 const DRIFT: f64 = 0.1;
 
-/// Courant numbers up to which each integrator was measured stable (METHOD: trial, item 8).
+/// Courant numbers up to which each integrator was measured stable, docs/seed_and_improved.md.
 const TVD_RK2_LIMIT: f64 = 1.0;
+const SSP_RK3_LIMIT: f64 = 1.0;
 const VERLET_LIMIT: f64 = 1.0;
 
 /// Mach number above which a load counts as an impact.

@@ -16,13 +16,18 @@ pub struct Follower {
     pressure: Tape<Coordinate>,
     /// Whether the pressure depends on the place.
     varies: bool,
+    /// Name of the face.
+    pub face: String,
+    /// Force on the body at the last evaluation, N.
+    pub total: Vec3,
 }
 
 impl Follower {
     /// A pressure on a face.
     pub fn new(face: &FaceNodes, pressure: &Tape<Coordinate>) -> Self {
         let varies = pressure.leaves().any(|leaf| matches!(leaf, Coordinate::X(_)));
-        Self { quads: face.quads.clone(), pressure: pressure.clone(), varies }
+        let (quads, face) = (face.quads.clone(), face.name.clone());
+        Self { quads, pressure: pressure.clone(), varies, face, total: Vec3::zeros() }
     }
 
     /// Adds the force per reference volume on the nodes of the face.
@@ -45,7 +50,7 @@ impl Follower {
     /// | `out` | added to | N/m³ |
     /// | `scratch` | kept between calls | |
     pub fn add(
-        &self,
+        &mut self,
         (reference, position): (&[Vec3], &[Quad]),
         inverse_volume: &[f64],
         time: f64,
@@ -54,6 +59,7 @@ impl Follower {
     ) {
         // a pressure that does not vary in space reads no coordinate
         let uniform = if self.varies { 0.0 } else { evaluate(&self.pressure, &Vec3::zeros(), time, scratch) };
+        self.total = Vec3::zeros();
         for quad in &self.quads {
             let area = quad_integrals(&quad.map(|a| position[a as usize].vector()));
             for (&a, area) in quad.iter().zip(&area) {
@@ -62,6 +68,7 @@ impl Follower {
                     true => evaluate(&self.pressure, &reference[a], time, scratch),
                     false => uniform,
                 };
+                self.total -= pressure * area;
                 out[a] += Quad::new(area) * (-pressure * inverse_volume[a]);
             }
         }
@@ -83,7 +90,7 @@ mod tests {
         let inverse: Vec<f64> = particles.volume.iter().map(|v| 1.0 / v).collect();
         let mut out = vec![Quad::ZERO; particles.len()];
         for face in &particles.faces {
-            let follower = Follower::new(face, &Tape::constant(2.0));
+            let mut follower = Follower::new(face, &Tape::constant(2.0));
             follower.add((&particles.position, &position), &inverse, 0.0, &mut out, &mut Vec::new());
         }
         let force = out.iter().zip(&particles.volume).map(|(f, v)| f.vector() * *v).collect();

@@ -5,7 +5,7 @@
 
 use super::links::Links;
 use super::quad::{Columns, Quad};
-use crate::tensor::{Mat3, contract, cross};
+use crate::tensor::{Mat3, cofactor, contract, cross, volume_map};
 
 /// Velocity gradient of particle `a`, the rate of its deformation gradient.
 ///
@@ -68,4 +68,25 @@ pub fn area_map_rate(f: &Mat3, gradient: &Mat3) -> Mat3 {
 #[inline(always)]
 pub fn volume_map_rate(h: &Mat3, gradient: &Mat3) -> f64 {
     contract(h, gradient)
+}
+
+/// Rate that draws the evolved volume map to the determinant of the deformation gradient.
+///
+/// ```text
+/// r (det F − J)
+/// ```
+///
+/// Differs from [NB25 (34)], which has no such term: there nothing bounds what D(J) adds to J. With it
+/// the gap stays below `max |D(J)| / r`.
+///
+/// | argument | meaning | unit |
+/// |---|---|---|
+/// | `f` | deformation gradient | – |
+/// | `j` | evolved volume map | – |
+/// | `rate` | `r` | 1/s |
+///
+/// Returns a rate in 1/s.
+#[inline(always)]
+pub fn volume_restoring(f: &Mat3, j: f64, rate: f64) -> f64 {
+    rate * (volume_map(f, &cofactor(f)) - j)
 }

@@ -24,6 +24,10 @@ struct Term {
     components: [Tape<Coordinate>; 3],
     /// Node and weight: `A_a/V_a` of a traction (1/m), 1 of a body force.
     nodes: Vec<(u32, f64)>,
+    /// The face of a traction.
+    face: Option<String>,
+    /// Force on the body at the last evaluation, N.
+    total: Vec3,
 }
 
 impl ExternalForces {
@@ -38,17 +42,19 @@ impl ExternalForces {
                     let Some(face) = particles.face(&region.face) else { continue };
                     let weight = |(&a, area): (&u32, &Vec3)| (a, area.norm() / particles.volume[a as usize]);
                     let nodes = face.nodes.iter().zip(&face.area).map(weight).collect();
-                    terms.push(Term { components: traction.clone(), nodes });
+                    let (components, face) = (traction.clone(), Some(region.face.clone()));
+                    terms.push(Term { components, nodes, face, total: Vec3::zeros() });
                 }
                 Load::Pressure { region, pressure, .. } if region.body == body => {
                     followers.extend(particles.face(&region.face).map(|face| Follower::new(face, pressure)));
                 }
                 Load::BodyForce { body: on, force, .. } if *on == body => {
-                    terms.push(Term { components: force.clone(), nodes: everywhere() });
+                    let (components, nodes) = (force.clone(), everywhere());
+                    terms.push(Term { components, nodes, face: None, total: Vec3::zeros() });
                 }
                 Load::Gravity { acceleration, .. } => {
                     let components = acceleration.map(|g| Tape::constant(density * g));
-                    terms.push(Term { components, nodes: everywhere() });
+                    terms.push(Term { components, nodes: everywhere(), face: None, total: Vec3::zeros() });
                 }
                 _ => {}
             }
@@ -67,14 +73,14 @@ impl ExternalForces {
 
     /// Adds the forces of pressures on the deformed faces, see [`Follower::add`].
     pub fn add_followers(
-        &self,
+        &mut self,
         positions: (&[Vec3], &[Quad]),
         inverse_volume: &[f64],
         time: f64,
         out: &mut [Quad],
         scratch: &mut Vec<f64>,
     ) {
-        for follower in &self.followers {
+        for follower in &mut self.followers {
             follower.add(positions, inverse_volume, time, out, scratch);
         }
     }
@@ -87,21 +93,30 @@ impl ExternalForces {
     ///
     /// | argument | meaning | unit |
     /// |---|---|---|
-    /// | `reference` | reference positions | m |
+    /// | `particles` | reference positions and volumes | m, m³ |
     /// | `time` | | s |
     /// | `out` | overwritten | N/m³ |
     /// | `scratch` | kept between calls | |
-    pub fn evaluate(&self, reference: &[Vec3], time: f64, out: &mut [Quad], scratch: &mut Vec<f64>) {
+    pub fn evaluate(&mut self, particles: &Particles, time: f64, out: &mut [Quad], scratch: &mut Vec<f64>) {
         out.fill(Quad::ZERO);
-        for term in &self.terms {
+        for term in &mut self.terms {
+            term.total = Vec3::zeros();
             for &(node, weight) in &term.nodes {
-                let at = &reference[node as usize];
+                let at = &particles.position[node as usize];
                 for (axis, tape) in term.components.iter().enumerate() {
                     let value = evaluate(tape, at, time, scratch);
                     out[node as usize].0[axis] += weight * value;
+                    term.total[axis] += particles.volume[node as usize] * weight * value;
                 }
             }
         }
+    }
+
+    /// The face of each load, `None` of one that acts on the whole body, and its force at the last
+    /// evaluation, N.
+    pub fn totals(&self) -> impl Iterator<Item = (Option<&str>, Vec3)> {
+        let terms = self.terms.iter().map(|term| (term.face.as_deref(), term.total));
+        terms.chain(self.followers.iter().map(|follower| (Some(follower.face.as_str()), follower.total)))
     }
 }
 

@@ -6,7 +6,7 @@
 use super::body::{Block, BodyState, CHUNK, Failure, Workspace};
 use super::dissipation::Speeds;
 use super::force::{Packet, internal, internal_and_dissipation, volume_dissipation};
-use super::kinematics::{area_map_rate, velocity_gradient, volume_map_rate};
+use super::kinematics::{area_map_rate, velocity_gradient, volume_map_rate, volume_restoring};
 use super::links::Links;
 use super::quad::{Columns, Quad};
 use crate::scene::InterfaceStates;
@@ -183,8 +183,17 @@ pub struct ForceTerms {
     pub states: InterfaceStates,
     /// Weighted wave speeds of D(p), m/s.
     pub speeds: Speeds,
-    /// Wave speed of D(J), m/s; `None` where it is off.
-    pub volume: Option<f64>,
+    /// D(J); `None` where it is off.
+    pub volume: Option<VolumeTerms>,
+}
+
+/// What D(J) is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VolumeTerms {
+    /// Pressure wave speed of the jump, m/s.
+    pub speed: f64,
+    /// Rate at which J is drawn to `det F`, 1/s; 0 as printed.
+    pub relaxation: f64,
 }
 
 /// Second pass: `dp/dt / ρR` of every particle, and D(J).
@@ -199,12 +208,16 @@ pub fn forces(body: &mut BodyState, terms: ForceTerms) {
         .par_chunks_mut(CHUNK)
         .enumerate()
         .for_each(|(index, acceleration)| chunk.accelerations(index * CHUNK, acceleration));
-    if let Some(c_p) = terms.volume {
+    if let Some(VolumeTerms { speed, relaxation }) = terms.volume {
         let BodyState { links, x, inverse_volume, packets, area_map, blocks, density, .. } = body;
         blocks.par_iter_mut().for_each(|block| {
             for (i, rate) in block.volume_dissipation.iter_mut().enumerate() {
                 let a = block.start + i;
-                *rate = volume_dissipation(links, a, packets, x, area_map, *density, c_p, inverse_volume[a]);
+                *rate =
+                    volume_dissipation(links, a, packets, x, area_map, *density, speed, inverse_volume[a]);
+                if relaxation > 0.0 {
+                    *rate += volume_restoring(&block.f[i], block.j[i], relaxation);
+                }
             }
         });
     }

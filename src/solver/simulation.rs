@@ -1,23 +1,27 @@
 //! A simulation in time.
 //!
-//! Owns the clock: the stable step, the integrators and the search for inadmissible states. Knows
+//! Owns the clock: the stable step, velocity Verlet and the search for inadmissible states. Knows
 //! neither text, units nor files.
 
+mod runge_kutta;
+
+use self::runge_kutta::{HEUN, SSP_RK3};
 use super::affine::{AffineMotion, affine_motions};
 use super::assemble::{Assembled, assemble};
-use super::body::{Block, BodyState, CHUNK};
+use super::body::{BodyState, CHUNK};
 use super::bond::Bonds;
 use super::diagnosis;
 use super::dissipation::Speeds;
 use super::error::SolveError;
 use super::exact::Target;
 use super::hourglass::hourglass;
+use super::impulse::Impulses;
 use super::loads::ExternalForces;
-use super::pass::{ForceTerms, Workspaces, advance_maps, forces, maps_and_stress, wave_speeds};
-use super::quad::Quad;
+use super::pass::{ForceTerms, VolumeTerms, Workspaces, forces, maps_and_stress, wave_speeds};
+use super::projection::Projection;
 use super::time_step::{dissipation_rate, stable_step};
-use crate::plan::{Pass, Plan, damping_rate};
-use crate::scene::{Integrator, InterfaceStates, Run, Scene};
+use crate::plan::{Pass, Plan, RELAXATION_OF_J, damping_rate};
+use crate::scene::{Integrator, InterfaceStates, Run, Scene, VolumeDissipation};
 use rayon::prelude::*;
 
 /// A running simulation.
@@ -27,6 +31,8 @@ pub struct Simulation {
     affine: Vec<AffineMotion>,
     external: Vec<ExternalForces>,
     bonds: Bonds,
+    projection: Vec<Option<Projection>>,
+    impulses: Vec<Impulses>,
     run: Run,
     damping: f64,
     time: f64,
@@ -51,6 +57,8 @@ impl Simulation {
             affine: Vec::new(),
             external: Vec::new(),
             bonds: Bonds::default(),
+            projection: Vec::new(),
+            impulses: Vec::new(),
             run: scene.run.clone(),
             damping: damping_rate(scene),
             time: 0.0,
@@ -67,6 +75,10 @@ impl Simulation {
         }
         for index in 0..scene.bodies.len() {
             let Assembled { state, external } = assemble(scene, plan, index)?;
+            let projected = plan.runs(Pass::TorqueProjection);
+            let projection = if projected { Projection::new(&state, &scene.symmetry) } else { None };
+            simulation.projection.push(projection);
+            simulation.impulses.push(Impulses::new(plan.runs(Pass::Impulse), &state, &external));
             simulation.bodies.push(state);
             simulation.external.push(external);
         }
@@ -76,8 +88,8 @@ impl Simulation {
             let terms = simulation.force_terms(index);
             let rate = dissipation_rate(&mut simulation.bodies[index], terms);
             // D(J) relaxes J at the same rate as D(p) relaxes p: both go with c_p over the spacing
-            let share = if terms.volume.is_some() { 2.0 } else { 1.0 };
-            simulation.bodies[index].dissipation_rate = share * rate;
+            let (share, relaxation) = terms.volume.map_or((1.0, 0.0), |volume| (2.0, volume.relaxation));
+            simulation.bodies[index].dissipation_rate = share * rate + relaxation;
         }
         simulation.refresh_stable_step()?;
         simulation.prepare_supports(simulation.stable_step);
@@ -93,9 +105,10 @@ impl Simulation {
             }
         }
         simulation.last_step = simulation.stable_step;
-        simulation.impose(simulation.stable_step);
+        simulation.impose(simulation.stable_step, 0.0);
         simulation.meet_velocities();
         simulation.evaluate(0.0)?;
+        simulation.project_accelerations();
         simulation.rewind_supports();
         Ok(simulation)
     }
@@ -136,6 +149,11 @@ impl Simulation {
         &mut self.bodies
     }
 
+    /// What supports and loads gave to the momentum of each body, for records that ask.
+    pub fn impulses(&self) -> &[Impulses] {
+        &self.impulses
+    }
+
     /// Number of particles.
     pub fn particles(&self) -> usize {
         self.bodies.iter().map(BodyState::len).sum()
@@ -161,7 +179,8 @@ impl Simulation {
         self.advance_supports(next);
         match self.run.integrator {
             Integrator::VelocityVerlet => self.velocity_verlet(step, next)?,
-            Integrator::TvdRk2 => self.heun(step, next)?,
+            Integrator::TvdRk2 => self.runge_kutta(&HEUN, step)?,
+            Integrator::SspRk3 => self.runge_kutta(&SSP_RK3, step)?,
         }
         self.time = next;
         self.steps += 1;
@@ -172,17 +191,16 @@ impl Simulation {
 
     /// Brings stresses and accelerations up to the state, for whoever reads them next.
     ///
-    /// Velocity Verlet ends a step with them; Heun's method ends with the mean of two stages, at which
+    /// Velocity Verlet ends a step with them; Runge–Kutta methods end with a mean of stages, at which
     /// nothing has been evaluated yet.
     ///
     /// # Errors
     /// If the state has left the domain of an energy.
     pub fn synchronise(&mut self) -> Result<(), SolveError> {
-        if self.run.integrator == Integrator::TvdRk2 && self.steps > 0 {
-            if self.follows() {
-                self.evaluate_external(self.time);
-            }
+        if self.run.integrator != Integrator::VelocityVerlet && self.steps > 0 {
+            self.evaluate_external(self.time);
             self.evaluate(0.0)?;
+            self.project_accelerations();
         }
         self.meet_velocities();
         Ok(())
@@ -202,56 +220,16 @@ impl Simulation {
     /// Velocity Verlet: half a kick, a drift, forces, half a kick; synchronised at its end.
     fn velocity_verlet(&mut self, step: f64, next: f64) -> Result<(), SolveError> {
         self.kick(0.5 * step);
-        self.impose(step);
+        self.add_loads(0.5 * step);
+        self.impose(step, 1.0);
         self.drift(step);
         self.evaluate_external(next);
         self.last_step = step;
         self.evaluate(step)?;
+        self.project_accelerations();
         self.kick(0.5 * step);
-        self.impose(step);
-        Ok(())
-    }
-
-    /// Two-stage TVD Runge–Kutta, Heun's method.
-    ///
-    /// ```text
-    /// U*   = Uⁿ + Δt U̇(Uⁿ, tⁿ)                         [NB25 (39)]
-    /// U**  = U* + Δt U̇(U*, tⁿ⁺¹)                       [NB25 (40)]
-    /// Uⁿ⁺¹ = ½ (Uⁿ + U**)                              [NB25 (41)]
-    /// ```
-    ///
-    /// The positions go through the same stages. Prescribed velocities are imposed at both.
-    fn heun(&mut self, step: f64, next: f64) -> Result<(), SolveError> {
-        for body in &mut self.bodies {
-            let BodyState { x, v, saved, blocks, .. } = body;
-            saved.0.copy_from_slice(x);
-            saved.1.copy_from_slice(v);
-            for Block { f, h, j, saved, .. } in blocks {
-                saved.0.copy_from_slice(f);
-                saved.1.copy_from_slice(h);
-                saved.2.copy_from_slice(j);
-            }
-        }
-        self.last_step = step;
-        for stage in 0..2 {
-            self.impose(step);
-            if stage == 1 {
-                self.evaluate_external(next);
-            } else if self.follows() {
-                // what was evaluated last belongs to the second stage's positions
-                self.evaluate_external(self.time);
-            }
-            self.evaluate(0.0)?;
-            self.drift(step);
-            self.kick(step);
-            for body in &mut self.bodies {
-                advance_maps(body, step);
-            }
-        }
-        for body in &mut self.bodies {
-            average(body);
-        }
-        self.impose(step);
+        self.add_loads(0.5 * step);
+        self.impose(step, 1.0);
         Ok(())
     }
 
@@ -288,8 +266,20 @@ impl Simulation {
                 pressure: self.run.pressure_wave_weight * body.rest.pressure,
                 shear: self.run.shear_wave_weight * body.rest.shear,
             },
-            volume: self.run.volume_dissipation.then_some(body.rest.pressure),
+            volume: self.volume_terms(body),
         }
+    }
+
+    fn volume_terms(&self, body: &BodyState) -> Option<VolumeTerms> {
+        let speed = body.rest.pressure;
+        let relaxation = match self.run.volume_dissipation {
+            VolumeDissipation::Off => return None,
+            VolumeDissipation::On => 0.0,
+            VolumeDissipation::Restoring { rate } => {
+                rate.unwrap_or(RELAXATION_OF_J * speed / body.particles.spacing)
+            }
+        };
+        Some(VolumeTerms { speed, relaxation })
     }
 
     fn kick(&mut self, step: f64) {
@@ -314,13 +304,39 @@ impl Simulation {
         }
     }
 
-    fn impose(&mut self, step: f64) {
-        for body in &mut self.bodies {
-            for support in &body.supports {
+    /// Imposes prescribed velocities; what they change counts as impulse with a weight.
+    fn impose(&mut self, step: f64, weight: f64) {
+        for (body, impulses) in self.bodies.iter_mut().zip(&mut self.impulses) {
+            for (index, support) in body.supports.iter().enumerate() {
+                impulses.add_reaction(
+                    index,
+                    weight,
+                    body.density,
+                    &body.particles.volume,
+                    &body.v,
+                    step,
+                    support,
+                );
                 support.impose(&mut body.v, step);
             }
         }
         self.bonds.follow(&mut self.bodies);
+    }
+
+    /// Counts the loads of the last evaluation over a time `step`.
+    fn add_loads(&mut self, step: f64) {
+        for ((impulses, external), body) in self.impulses.iter_mut().zip(&self.external).zip(&self.bodies) {
+            impulses.add_loads(step, body, external);
+        }
+    }
+
+    /// Takes the torque of the internal forces out of the accelerations of free bodies.
+    fn project_accelerations(&mut self) {
+        for (body, projection) in self.bodies.iter_mut().zip(&mut self.projection) {
+            if let Some(projection) = projection {
+                projection.remove_torque(body);
+            }
+        }
     }
 
     fn advance_supports(&mut self, time: f64) {
@@ -340,16 +356,11 @@ impl Simulation {
         self.advance_supports(0.0);
     }
 
-    /// Whether any external force depends on the positions.
-    fn follows(&self) -> bool {
-        self.external.iter().any(ExternalForces::follows)
-    }
-
     fn evaluate_external(&mut self, time: f64) {
-        for (body, external) in self.bodies.iter_mut().zip(&self.external) {
+        for (body, external) in self.bodies.iter_mut().zip(&mut self.external) {
             if (external.varies_in_time || body.exact.is_some()) && !body.external.is_empty() {
                 let BodyState { particles, external: out, exact, law, x, inverse_volume, .. } = body;
-                external.evaluate(&particles.position, time, out, &mut self.scratch);
+                external.evaluate(particles, time, out, &mut self.scratch);
                 let positions = (&particles.position[..], &x[..]);
                 external.add_followers(positions, inverse_volume, time, out, &mut self.scratch);
                 if let Some(exact) = exact {
@@ -396,22 +407,3 @@ const LOCAL: usize = 16 * CHUNK;
 
 /// Smallest step worth taking, as a share of the end time: above it, 10⁹ steps.
 const SMALLEST_STEP: f64 = 1e-9;
-
-/// The last line of Heun's method.
-fn average(body: &mut BodyState) {
-    fn half_sum(now: &mut [Quad], saved: &[Quad]) {
-        for (now, saved) in now.iter_mut().zip(saved) {
-            *now = (*saved + *now) * 0.5;
-        }
-    }
-    half_sum(&mut body.x, &body.saved.0);
-    half_sum(&mut body.v, &body.saved.1);
-    body.blocks.par_iter_mut().for_each(|Block { f, h, j, saved, .. }| {
-        for (now, saved) in f.iter_mut().zip(&saved.0).chain(h.iter_mut().zip(&saved.1)) {
-            *now = 0.5 * (*saved + *now);
-        }
-        for (now, saved) in j.iter_mut().zip(&saved.2) {
-            *now = 0.5 * (*saved + *now);
-        }
-    });
-}

@@ -45,6 +45,26 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
         // another bar than the one whose motion is known: its error does not vanish with the spacing
         wrong: &[("gel.neo_hooke.mu", "5 kPa")],
     },
+    BenchmarkFile {
+        path: "specs/classics/tensile_cable.tissue",
+        tier: Tier::Quick,
+        wrong: &[("steel.density", "8400 kg/m^3")],
+    },
+    BenchmarkFile {
+        path: "specs/classics/spinning_cube.tissue",
+        tier: Tier::Quick,
+        wrong: &[("run.angular_momentum", "free"), ("run.momentum_dissipation", "constant")],
+    },
+    BenchmarkFile {
+        path: "specs/classics/l_block.tissue",
+        tier: Tier::Quick,
+        wrong: &[("run.angular_momentum", "free"), ("block.spacing", "1 m")],
+    },
+    BenchmarkFile {
+        path: "specs/classics/oscillating_plate.tissue",
+        tier: Tier::Full,
+        wrong: &[("rubber.E", "2.8 MPa")],
+    },
 ];
 
 /// Fibres of less dispersion, on a coarse lattice.

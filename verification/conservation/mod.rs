@@ -2,7 +2,10 @@
 
 use super::Claim;
 
+mod angular;
+mod balance;
 mod bonded;
+mod energy;
 mod momentum;
 
 /// The claims of this directory, in the order of the report.
@@ -12,4 +15,15 @@ pub(crate) const CLAIMS: &[Claim] = &[
     momentum::FREE_BODY_HOURGLASS,
     bonded::MOMENTUM,
     bonded::ONE_PLACE,
+    momentum::LONG_RUN,
+    balance::VERLET,
+    balance::HEUN,
+    balance::SSP_RK3,
+    angular::CENTRAL,
+    angular::PROJECTED_VERLET,
+    angular::PROJECTED_HEUN,
+    angular::PROJECTED_SSP_RK3,
+    angular::HEUN_DRIFT,
+    energy::DISSIPATION,
+    energy::LOSS_PER_TURN,
 ];

@@ -5,6 +5,7 @@ use super::Claim;
 mod frames;
 mod gradient;
 mod laminate;
+mod maps;
 mod pressure;
 mod traction;
 
@@ -24,4 +25,7 @@ pub(crate) const CLAIMS: &[Claim] = &[
     frames::HOMOGENEOUS,
     frames::UNITS,
     frames::EIGHTH,
+    maps::EVOLVED_H,
+    maps::FREE_MAPS,
+    maps::RESTORED_J,
 ];

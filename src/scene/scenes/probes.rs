@@ -62,6 +62,7 @@ impl Scope<Probe> for ProbeScope<'_> {
             ("displacement", _) => Some(self.displacement(evaluator, outer, function, arguments)),
             ("twist", 1) => Some(self.twist(evaluator, outer, arguments)),
             ("reaction", 1) => Some(self.reaction(evaluator, outer, arguments)),
+            ("impulse", 1) => Some(self.impulse(evaluator, outer, arguments)),
             ("section_force", _) => Some(self.section_force(evaluator, outer, function, arguments)),
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
             ("error", 1) => Some(self.error(evaluator, outer.file(), arguments)),
@@ -253,6 +254,24 @@ impl ProbeScope<'_> {
             return Err(evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help));
         }
         Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field)), dimension))
+    }
+
+    /// `impulse(strip.xmax)` or `impulse(strip)`.
+    fn impulse(
+        &self,
+        evaluator: &mut Evaluator<Probe>,
+        outer: &dyn Scope<Probe>,
+        arguments: &[Argument],
+    ) -> Outcome {
+        let (file, id) = (outer.file(), arguments[0].value);
+        let (body, face) = if file.expression(id).contains('.') {
+            let region = self.bodies.face_of(evaluator.mistakes, file, id)?;
+            (region.body, Some(region.face))
+        } else {
+            (self.bodies.body_of(evaluator.mistakes, file, id)?, None)
+        };
+        let probe = |axis| Probe::Impulse { body, face: face.clone(), axis };
+        Ok(vector(evaluator, Dimension::MOMENTUM, probe))
     }
 
     /// `section_force(strip, x = 0 mm)`.

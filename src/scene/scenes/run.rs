@@ -28,7 +28,8 @@ pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
         pressure_wave_weight: 1.0,
         shear_wave_weight: 1.0,
         hourglass_stiffness: 0.0,
-        volume_dissipation: seed,
+        volume_dissipation: if seed { VolumeDissipation::On } else { VolumeDissipation::Off },
+        angular_momentum: AngularMomentum::Free,
         wave_speed_every: if seed { 0 } else { 10 },
         written: Vec::new(),
     }
@@ -74,17 +75,27 @@ impl Stage<'_> {
                 (Rc::clone(&site.file), site.file.span(site.id))
             })
         };
+        let mut refuse = |key: &str, message: &str, help: &str| {
+            let (file, span) = at(key);
+            Err(self.mistakes.report(&file, Code::Conflict, span, message, "", Some(help.into())))
+        };
         if members.written("damping").is_some() && run.loading == Loading::Dynamic {
-            let (file, span) = at("damping");
             let message = "`damping` belongs to quasi-static loading, but `loading` is dynamic";
-            let help = Some("write `loading = quasi_static`".into());
-            return Err(self.mistakes.report(&file, Code::Conflict, span, message, "", help));
+            return refuse("damping", message, "write `loading = quasi_static`");
         }
-        if run.volume_dissipation && run.formulation == Some(Formulation::Pf) {
-            let (file, span) = at("volume_dissipation");
+        if run.volume_dissipation != VolumeDissipation::Off && run.formulation == Some(Formulation::Pf) {
             let message = "`volume_dissipation` acts on an evolved J, but `formulation = pF` derives it";
-            let help = Some("write `formulation = pFJ` or `volume_dissipation = off`".into());
-            return Err(self.mistakes.report(&file, Code::Conflict, span, message, "", help));
+            let help = "write `formulation = pFJ` or `volume_dissipation = off`";
+            return refuse("volume_dissipation", message, help);
+        }
+        let restoring = matches!(run.volume_dissipation, VolumeDissipation::Restoring { .. });
+        if members.written("volume_relaxation").is_some() && !restoring {
+            let message = "`volume_relaxation` belongs to the restoring term of D(J), which is not asked for";
+            return refuse("volume_relaxation", message, "write `volume_dissipation = restoring`");
+        }
+        if run.angular_momentum == AngularMomentum::Projected && run.loading != Loading::Dynamic {
+            let message = "quasi-static loading damps the motion, so `angular_momentum` cannot be kept";
+            return refuse("angular_momentum", message, "write `loading = dynamic` or leave it out");
         }
         Ok(())
     }
@@ -112,6 +123,7 @@ impl Reader<'_, '_, '_> {
         }
         match self.choice("integrator") {
             Some("tvd_rk2") => (run.integrator, run.cfl) = (Integrator::TvdRk2, 0.3),
+            Some("ssp_rk3") => (run.integrator, run.cfl) = (Integrator::SspRk3, 0.9),
             Some("velocity_verlet") => (run.integrator, run.cfl) = (Integrator::VelocityVerlet, 0.9),
             _ => {}
         }
@@ -143,10 +155,15 @@ impl Reader<'_, '_, '_> {
         run.shear_wave_weight = shear.unwrap_or(run.shear_wave_weight);
         let hourglass = self.value("hourglass_stiffness", Dimension::NUMBER, (0.0, 1e6), true);
         run.hourglass_stiffness = hourglass.unwrap_or(run.hourglass_stiffness);
+        let rate = self.value("volume_relaxation", Dimension::FREQUENCY, (0.0, f64::INFINITY), false);
         match self.choice("volume_dissipation") {
-            Some("on") => run.volume_dissipation = true,
-            Some("off") => run.volume_dissipation = false,
+            Some("on") => run.volume_dissipation = VolumeDissipation::On,
+            Some("off") => run.volume_dissipation = VolumeDissipation::Off,
+            Some("restoring") => run.volume_dissipation = VolumeDissipation::Restoring { rate },
             _ => {}
+        }
+        if self.choice("angular_momentum") == Some("projected") {
+            run.angular_momentum = AngularMomentum::Projected;
         }
         run.wave_speed_every = self.count("wave_speed_every").unwrap_or(run.wave_speed_every);
     }

@@ -148,6 +148,12 @@ pub(in crate::scene) static PROBES: &[Word] = &[
     word("total_energy", "total_energy", RECORD, "Kinetic and strain energy."),
     word("momentum", "momentum.x", RECORD, "Linear momentum."),
     word("angular_momentum", "angular_momentum.z", RECORD, "Angular momentum about the origin."),
+    word(
+        "impulse",
+        "impulse(body.face)",
+        RECORD,
+        "Impulse since the start of the supports and loads of a face, or of all that acts on a body.",
+    ),
     word("volume", "volume", RECORD, "Current volume."),
     word(
         "error",

@@ -27,6 +27,7 @@ const LOADINGS: &[Choice] = &[
 
 const INTEGRATORS: &[Choice] = &[
     Choice { word: "tvd_rk2", doc: "two-stage TVD Runge-Kutta, the paper's" },
+    Choice { word: "ssp_rk3", doc: "three-stage, third-order SSP Runge-Kutta" },
     Choice { word: "velocity_verlet", doc: "velocity Verlet" },
 ];
 
@@ -44,6 +45,23 @@ const STATES: &[Choice] = &[
     Choice { word: "off", doc: "no dissipation of momentum" },
     Choice { word: "constant", doc: "the particles' own momenta" },
     Choice { word: "linear", doc: "carried to the middle of the pair with the corrected gradient" },
+];
+
+const VOLUME: &[Choice] = &[
+    Choice { word: "off", doc: "the volume map is not upwinded" },
+    Choice { word: "on", doc: "as the paper prints it: nothing draws J back to det F" },
+    Choice {
+        word: "restoring",
+        doc: "as printed, and J relaxes towards det F at the rate `volume_relaxation`, a term of ours",
+    },
+];
+
+const ANGULAR_MOMENTUM: &[Choice] = &[
+    Choice { word: "free", doc: "what forces and integrator make of it" },
+    Choice {
+        word: "projected",
+        doc: "kept to round-off in free bodies by the least correction of the accelerations",
+    },
 ];
 
 /// `on` and `off`.
@@ -142,9 +160,21 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
         },
         Parameter {
             name: "volume_dissipation",
-            kind: Kind::Choice(SWITCH),
+            kind: Kind::Choice(VOLUME),
             presence: Presence::ByScheme { seed: "on", improved: "off" },
             doc: "Whether the volume map is upwinded; it needs a formulation that evolves J.",
+        },
+        Parameter {
+            name: "volume_relaxation",
+            kind: Kind::Quantity("frequency"),
+            presence: Presence::Default("chosen by the plan"),
+            doc: "Rate at which J relaxes towards det F with `volume_dissipation = restoring`.",
+        },
+        Parameter {
+            name: "angular_momentum",
+            kind: Kind::Choice(ANGULAR_MOMENTUM),
+            presence: Presence::Default("free"),
+            doc: "Whether the angular momentum of bodies that nothing holds is kept exactly.",
         },
         Parameter {
             name: "wave_speed_every",
