@@ -193,3 +193,27 @@ fn a_trade_finds_the_cheapest_setting_within_its_tolerance() {
     let strict = self::document(&text, &[("t.tolerance", "1e-9 N")]);
     assert!(settings(&strict.sweeps[0], &outcome.tables[0]).iter().all(|setting| !setting.allowed));
 }
+
+#[test]
+fn every_sweep_that_ships_holds_what_it_claims() {
+    let mut held = 0;
+    for folder in ["specs/sweeps", "specs/tutorial"] {
+        for entry in std::fs::read_dir(folder).expect("the folder is in the repository").flatten() {
+            let name = entry.path().to_string_lossy().replace('\\', "/");
+            if !name.ends_with(".tissue") {
+                continue;
+            }
+            let text = std::fs::read_to_string(&name).expect("text");
+            let (document, mistakes) = resolve(&Source { name: name.clone(), text }, &FileSystem, &[]);
+            assert!(mistakes.is_empty(), "{name}");
+            for described in &document.sweeps {
+                let outcome = swept(described, 2);
+                let report = &outcome.report;
+                assert_eq!(report.status, RunStatus::Held, "{name}: {:?}", report.expectations);
+                assert!(!report.expectations.is_empty(), "{name}: `{}` claims nothing", described.name);
+                held += 1;
+            }
+        }
+    }
+    assert!(held >= 4);
+}

@@ -4,6 +4,7 @@ use super::Exit;
 use super::arguments::PlanOptions;
 use super::input::{chosen, read_or_explain};
 use super::memory::fits;
+use super::run::tell_place;
 use crate::plan::Plan;
 use crate::run::{Cost, side_by_side};
 use crate::scene::{Scene, Sweep, Swept};
@@ -44,6 +45,7 @@ fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
 fn measured(scene: &Scene, plan: &Plan) -> Result<Cost, Exit> {
     Cost::measure(scene, plan).map_err(|cause| {
         eprintln!("error: scene `{}`: {cause}", scene.name);
+        tell_place(&cause, scene);
         Exit::WrongInput
     })
 }

@@ -12,8 +12,8 @@ use crate::output::file::write_atomic;
 use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
-use crate::run::{self, Outcome, execute, figures};
-use crate::scene::{Drive, Plot, Scene, Sweep};
+use crate::run::{self, Outcome, RunError, execute, figures};
+use crate::scene::{Drive, Place, Plot, Scene, Sweep};
 use std::path::{Path, PathBuf};
 
 /// Runs a file's drives, scenes and sweeps.
@@ -123,6 +123,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         Ok(outcome) => outcome,
         Err(cause) => {
             eprintln!("error: scene `{}`: {cause}", scene.name);
+            tell_place(&cause, scene);
             return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
     };
@@ -146,6 +147,13 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         print_faults(&report.expectations);
     }
     exit
+}
+
+/// Where the scene asks for what cannot be.
+pub(super) fn tell_place(cause: &RunError, scene: &Scene) {
+    if let Some(Place { file, line, column }) = cause.place(scene) {
+        eprintln!(" --> {file}:{line}:{column}");
+    }
 }
 
 fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {

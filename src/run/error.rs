@@ -4,6 +4,7 @@ use crate::drive::DriveError;
 use crate::energy::EnergyError;
 use crate::monitor::ProbeError;
 use crate::output::{FrameError, TableError};
+use crate::scene::{Place, Scene};
 use crate::solver::SolveError;
 use std::fmt;
 use std::io;
@@ -65,6 +66,22 @@ impl RunError {
             Self::Solve(cause) => of_scene(cause),
             Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
             Self::Table(_) | Self::Frame(_) | Self::Io { .. } => false,
+        }
+    }
+}
+
+impl RunError {
+    /// Where the scene asks for what cannot be, where that is known.
+    pub fn place<'a>(&self, scene: &'a Scene) -> Option<&'a Place> {
+        let body = |name: &str| scene.bodies.iter().find(|body| body.name == name);
+        match self {
+            Self::Solve(SolveError::Discretisation { body: name, .. }) => body(name).map(|body| &body.place),
+            Self::TooManySamples { name, .. } => {
+                let records = scene.records.iter().map(|record| (&record.name, &record.place));
+                let frames = scene.frames.iter().map(|frames| (&frames.name, &frames.place));
+                records.chain(frames).find(|(known, _)| *known == name).map(|(_, place)| place)
+            }
+            _ => None,
         }
     }
 }
