@@ -179,7 +179,7 @@ fn every_specification_is_coloured_as_it_is_read() {
         }
         for (at, _) in source.text.match_indices('#') {
             let line = source.text[..at].rsplit('\n').next().unwrap_or("");
-            if line.matches('"').count() % 2 == 0 {
+            if line.matches('"').count().is_multiple_of(2) {
                 coloured.starts(at, &["comment"]);
             }
         }
