@@ -34,6 +34,8 @@ pub(super) struct Block {
     pub(super) images: Vec<Vector>,
     /// `C a`
     pulled: Vec<Vector>,
+    /// Whether all lanes hold the same particle.
+    pub(super) is_alone: bool,
     /// Principal stretches, descending.
     stretches: Vector,
     /// Their directions `N_i`, one to a column.
@@ -49,6 +51,7 @@ impl Default for Block {
             directions: Vec::new(),
             images: Vec::new(),
             pulled: Vec::new(),
+            is_alone: false,
             stretches: [ZERO; 3],
             principal: [ZERO; 9],
         }
@@ -69,6 +72,7 @@ impl Block {
     #[inline(always)]
     pub(super) fn load(&mut self, maps: &Maps, directions: &Directions, start: usize, reads: Reads) {
         let last = maps.f.len() - 1;
+        self.is_alone = start == last;
         for lane in 0..LANES {
             let particle = (start + lane).min(last);
             for (row, &value) in self.f.iter_mut().zip(maps.f[particle].as_slice()) {
@@ -152,7 +156,8 @@ impl Block {
     }
 
     fn spectrum(&mut self) {
-        for lane in 0..LANES {
+        let lanes = if self.is_alone { 1 } else { LANES };
+        for lane in 0..lanes {
             let f = Mat3::from_fn(|i, j| self.f[i + 3 * j][lane]);
             let (stretches, principal) = stretch::principal(&f);
             for i in 0..3 {
@@ -160,6 +165,11 @@ impl Block {
             }
             for (row, &value) in self.principal.iter_mut().zip(principal.as_slice()) {
                 row[lane] = value;
+            }
+        }
+        if self.is_alone {
+            for row in self.stretches.iter_mut().chain(&mut self.principal) {
+                *row = [row[0]; LANES];
             }
         }
     }

@@ -251,10 +251,11 @@ impl Law {
     /// Runs a program over the loaded block.
     #[inline(always)]
     pub(super) fn run(&self, program: &Program, scratch: &mut Scratch) {
+        let is_alone = scratch.block.is_alone;
         for (&raw, row) in self.raws.iter().zip(&mut scratch.rows) {
             scratch.block.raw(raw, row);
         }
-        program.run(&mut scratch.rows);
+        program.run(&mut scratch.rows, is_alone);
     }
 
     #[inline(always)]

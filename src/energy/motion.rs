@@ -288,7 +288,7 @@ fn run(program: &Program, reference: &[Vec3], time: f64, scratch: &mut Scratch) 
         }
         scratch.rows[TIME][lane] = time;
     }
-    program.run(&mut scratch.rows);
+    program.run(&mut scratch.rows, false);
 }
 
 #[cfg(test)]

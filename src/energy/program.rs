@@ -4,6 +4,7 @@
 //! applied lane by lane, so a particle's result does not depend on its neighbours in the block.
 
 use super::graph::{Binary, Graph, Node, TAUT_FROM, Unary};
+use super::lanes::Vector;
 use super::schedule;
 use super::sphere::Rule;
 use crate::expression::{Comparison, elementary};
@@ -22,7 +23,8 @@ pub(super) enum Instruction {
     Unary(Unary, Register, Register),
     Binary(Binary, Register, Register, Register),
     Select(Comparison, Register, [Register; 4]),
-    /// Adds a value times the weight of the direction at hand, the last register.
+    /// Adds a value times the weight of the direction at hand, the last register, to one of the partial sums
+    /// that start at the first.
     Accumulate(Register, Register, Register),
     /// All of an integral over directions, by its place in the list of them.
     Integrals(u32),
@@ -39,8 +41,8 @@ pub(super) struct Integrals {
     /// Where its weight goes.
     pub(super) weight: Register,
     pub(super) body: Vec<Instruction>,
-    /// Where the sums are.
-    pub(super) sums: Vec<Register>,
+    /// Where the sums go, and the first of as many partial sums as there are lanes.
+    pub(super) sums: Vec<(Register, Register)>,
 }
 
 /// Registers: first the inputs, then the constants, then what is computed.
@@ -106,12 +108,14 @@ impl Program {
     }
 
     /// Runs the program over the block whose inputs are in the first rows.
+    ///
+    /// `is_alone` says that all lanes hold the same particle; the result is the same, sooner.
     #[inline(always)]
-    pub(super) fn run(&self, rows: &mut [Row]) {
+    pub(super) fn run(&self, rows: &mut [Row], is_alone: bool) {
         for instruction in &self.instructions {
             match *instruction {
-                Instruction::Integrals(place) => self.integrals[place as usize].run(rows),
-                other => execute(other, rows),
+                Instruction::Integrals(place) => self.integrals[place as usize].run(rows, is_alone),
+                other => execute(other, rows, 0),
             }
         }
     }
@@ -119,27 +123,50 @@ impl Program {
 
 impl Integrals {
     /// Sums the body over the directions of the rule.
+    ///
+    /// Direction `q` goes to partial sum `q mod 16` and these are added in order, so that one particle can
+    /// be given sixteen directions at once, one a lane, with the same bits.
     #[inline(always)]
-    fn run(&self, rows: &mut [Row]) {
-        for &sum in &self.sums {
-            rows[sum as usize] = [0.0; LANES];
+    fn run(&self, rows: &mut [Row], is_alone: bool) {
+        let partial = if is_alone { 1 } else { LANES };
+        for &(_, first) in &self.sums {
+            rows[first as usize..][..partial].fill([0.0; LANES]);
         }
         let shape = self.shape.unwrap_or_default();
-        let cones = self.rule.cones(shape.map(|register| &rows[register as usize]));
-        self.rule.each(&cones, |n, weight| {
+        let cones = self.rule.cones(shape.map(|register| &rows[register as usize]), is_alone);
+        let mut turn = 0;
+        let visit = |n: &Vector, weight: &Row| {
             for (&register, component) in self.running.iter().zip(n) {
                 rows[register as usize] = *component;
             }
             rows[self.weight as usize] = *weight;
             for instruction in &self.body {
-                execute(*instruction, rows);
+                execute(*instruction, rows, turn);
             }
-        });
+            turn = (turn + 1) % partial;
+        };
+        if is_alone {
+            self.rule.each_of_one(&cones, visit);
+        } else {
+            self.rule.each(&cones, visit);
+        }
+        for &(sum, first) in &self.sums {
+            let mut total = [0.0; LANES];
+            for part in 0..LANES {
+                for lane in 0..LANES {
+                    total[lane] += match is_alone {
+                        true => rows[first as usize][part],
+                        false => rows[first as usize + part][lane],
+                    };
+                }
+            }
+            rows[sum as usize] = total;
+        }
     }
 }
 
 #[inline(always)]
-fn execute(instruction: Instruction, rows: &mut [Row]) {
+fn execute(instruction: Instruction, rows: &mut [Row], turn: usize) {
     match instruction {
         Instruction::Unary(function, to, x) => {
             let [to, x] = disjoint(rows, [to, x]);
@@ -162,7 +189,7 @@ fn execute(instruction: Instruction, rows: &mut [Row]) {
             }
         }
         Instruction::Accumulate(to, x, weight) => {
-            let [to, x, weight] = disjoint(rows, [to, x, weight]);
+            let [to, x, weight] = disjoint(rows, [to + turn as Register, x, weight]);
             for lane in 0..LANES {
                 // what has no weight counts nothing, even where it is no number
                 let share = weight[lane] * x[lane];

@@ -5,7 +5,7 @@
 
 use super::graph::{Graph, Node, Operation, Unary};
 use super::parity;
-use super::program::{Instruction, Integrals, Program, Register};
+use super::program::{Instruction, Integrals, LANES, Program, Register};
 use super::sphere::Rule;
 
 /// The program of the outputs of a graph, over `inputs` quantities supplied from outside.
@@ -243,7 +243,15 @@ impl<'a> Builder<'a> {
     /// Integrals over one set of directions; what they read from outside stays until they are done.
     fn integrals(&mut self, group: &Group) {
         let graph = self.graph;
-        let sums: Vec<Register> = group.sums.iter().map(|_| self.allocate()).collect();
+        let sums: Vec<(Register, Register)> = group
+            .sums
+            .iter()
+            .map(|_| {
+                let first = self.registers;
+                self.registers += LANES as Register;
+                (self.allocate(), first)
+            })
+            .collect();
         let running = [(); 3].map(|()| self.allocate());
         let weight = self.allocate();
         for (node, operation) in graph.nodes().iter().enumerate() {
@@ -266,7 +274,7 @@ impl<'a> Builder<'a> {
             _ => node,
         };
         let outside = |body: &mut Vec<Instruction>, builder: &mut Self, node: Option<Node>| {
-            for (&sum, &to) in group.sums.iter().zip(&sums) {
+            for (&sum, &(_, to)) in group.sums.iter().zip(&sums) {
                 let of = summed(sum);
                 let is_here = match node {
                     Some(node) => of == node,
@@ -295,7 +303,7 @@ impl<'a> Builder<'a> {
                 }
             });
         }
-        for (&node, &sum) in group.sums.iter().zip(&sums) {
+        for (&node, &(sum, _)) in group.sums.iter().zip(&sums) {
             self.place[node as usize] = sum;
         }
         self.instructions.push(Instruction::Integrals(self.integrals.len() as u32));

@@ -68,10 +68,11 @@ impl Rule {
 
     /// The axes and eigenvalues of the cones of a block, `shape` being `S` as 11, 22, 33, 12, 13, 23.
     #[inline(always)]
-    pub(super) fn cones(&self, shape: [&Row; 6]) -> Cones {
+    pub(super) fn cones(&self, shape: [&Row; 6], is_alone: bool) -> Cones {
         let mut cones = Cones::common();
         let Some(above) = self.above else { return cones };
-        for lane in 0..LANES {
+        let lanes = if is_alone { 1 } else { LANES };
+        for lane in 0..lanes {
             let [xx, yy, zz, xy, xz, yz] = shape.map(|row| row[lane]);
             let s = Mat3::new(xx - above, xy, xz, xy, yy - above, yz, xz, yz, zz - above);
             cones.set(lane, &s);
@@ -79,30 +80,25 @@ impl Rule {
         cones
     }
 
-    /// Every direction of the rule with its weight, in a fixed order.
+    /// What a direction of unit height and arc weighs.
+    fn share(&self) -> f64 {
+        2.0 * PI / self.longitudes.len() as f64 * if self.is_even { 2.0 } else { 1.0 }
+    }
+
+    /// Every direction of the rule with its weight, in a fixed order, each lane inside its own cone.
     #[inline(always)]
     pub(super) fn each(&self, cones: &Cones, mut visit: impl FnMut(&Vector, &Row)) {
-        let share = 2.0 * PI / self.longitudes.len() as f64 * if self.is_even { 2.0 } else { 1.0 };
-        let [a, b, c] = &cones.axes;
-        let (mut across, mut low, mut length) = ([ZERO; 3], ZERO, ZERO);
+        let share = self.share();
         let (mut n, mut weight) = ([ZERO; 3], ZERO);
-        for &(cos, sin) in &self.longitudes {
-            for i in 0..3 {
-                for lane in 0..LANES {
-                    across[i][lane] = cos * b[i][lane] + sin * c[i][lane];
-                }
-            }
-            for lane in 0..LANES {
-                (low[lane], length[lane]) = cones.arc(lane, cos, sin);
-            }
+        for &longitude in &self.longitudes {
+            let arcs: [Arc; LANES] = std::array::from_fn(|lane| cones.arc(lane, longitude));
             for &(x, w) in &self.heights {
                 for lane in 0..LANES {
-                    let z = low[lane] + length[lane] * x;
-                    let s = (1.0 - z * z).sqrt();
+                    let direction = arcs[lane].direction(x);
                     for i in 0..3 {
-                        n[i][lane] = z * a[i][lane] + s * across[i][lane];
+                        n[i][lane] = direction[i];
                     }
-                    weight[lane] = share * w * length[lane];
+                    weight[lane] = share * w * arcs[lane].length;
                 }
                 visit(&n, &weight);
                 if !self.is_even {
@@ -111,6 +107,54 @@ impl Rule {
                 }
             }
         }
+    }
+
+    /// The same directions inside the cone of the first lane, sixteen at a time; what is missing to the last
+    /// sixteen weighs nothing.
+    #[inline(always)]
+    pub(super) fn each_of_one(&self, cones: &Cones, mut visit: impl FnMut(&Vector, &Row)) {
+        let share = self.share();
+        let (mut n, mut weight, mut lane) = ([ZERO; 3], ZERO, 0);
+        let signs: &[f64] = if self.is_even { &[1.0] } else { &[1.0, -1.0] };
+        for &longitude in &self.longitudes {
+            let arc = cones.arc(0, longitude);
+            for &(x, w) in &self.heights {
+                let direction = arc.direction(x);
+                for sign in signs {
+                    for i in 0..3 {
+                        n[i][lane] = sign * direction[i];
+                    }
+                    weight[lane] = share * w * arc.length;
+                    lane += 1;
+                    if lane == LANES {
+                        visit(&n, &weight);
+                        (weight, lane) = (ZERO, 0);
+                    }
+                }
+            }
+        }
+        if lane > 0 {
+            visit(&n, &weight);
+        }
+    }
+}
+
+/// A meridian inside a cone.
+#[derive(Clone, Copy)]
+struct Arc {
+    low: f64,
+    length: f64,
+    axis: [f64; 3],
+    across: [f64; 3],
+}
+
+impl Arc {
+    /// The direction at a part of the arc's height.
+    #[inline(always)]
+    fn direction(&self, part: f64) -> [f64; 3] {
+        let z = self.low + self.length * part;
+        let s = (1.0 - z * z).sqrt();
+        [0, 1, 2].map(|i| z * self.axis[i] + s * self.across[i])
     }
 }
 
@@ -169,12 +213,12 @@ impl Cones {
         }
     }
 
-    /// Lowest height and length of the arc inside on a meridian.
+    /// The arc inside on a meridian of a cosine and sine.
     #[inline(always)]
-    fn arc(&self, lane: usize, cos: f64, sin: f64) -> (f64, f64) {
-        let [along, b, c] = self.values.each_ref().map(|row| row[lane]);
-        let m = b * cos * cos + c * sin * sin;
-        match self.inside[lane] {
+    fn arc(&self, lane: usize, (cos, sin): (f64, f64)) -> Arc {
+        let [along, second, third] = self.values.each_ref().map(|row| row[lane]);
+        let m = second * cos * cos + third * sin * sin;
+        let (low, length) = match self.inside[lane] {
             Inside::All => (0.0, 1.0),
             Inside::None => (0.0, 0.0),
             Inside::About => {
@@ -183,6 +227,8 @@ impl Cones {
             }
             Inside::Around => (0.0, (m / (m - along)).max(0.0).sqrt()),
             Inside::Undefined => (f64::NAN, f64::NAN),
-        }
+        };
+        let [axis, b, c] = self.axes.each_ref().map(|axis| axis.each_ref().map(|row| row[lane]));
+        Arc { low, length, axis, across: [0, 1, 2].map(|i| cos * b[i] + sin * c[i]) }
     }
 }

@@ -1,7 +1,7 @@
 //! What holds of every law, whatever its energy.
 
 use super::{Directions, EnergyError, Invariant, Law, Leaf, Maps, Scratch};
-use crate::expression::{Function, Node, Tape};
+use crate::expression::{Cone, Function, Node, Sphere, Tape};
 use crate::tensor::{Mat3, Vec3};
 
 /// `Σ invariants` and their products with the next one: every gradient and Hessian entry is alive.
@@ -50,7 +50,31 @@ fn everything() -> Tape<Leaf> {
     let growth = tape.push(Node::Call(Function::Exp, powered));
     let logarithm = tape.push(Node::Call(Function::Ln, growth));
     let product = tape.push(Node::Multiply(growth, logarithm));
-    tape.push(Node::Add(sum, product));
+    sum = tape.push(Node::Add(sum, product));
+    // directions everywhere, and those that are stretched
+    let bar = |i, j| Leaf::Invariant(Invariant::RightCauchyGreenBar(i, j));
+    let shape =
+        [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| tape.push(Node::Leaf(bar(i, j))));
+    let n = [0, 1, 2].map(|axis| tape.push(Node::Leaf(Leaf::Running(axis))));
+    let mut strain = tape.push(Node::Constant(-1.0));
+    for i in 0..3 {
+        for j in 0..3 {
+            let c = if i == j { shape[i] } else { shape[2 + i + j] };
+            let along = tape.push(Node::Multiply(n[i], n[j]));
+            let term = tape.push(Node::Multiply(along, c));
+            strain = tape.push(Node::Add(strain, term));
+        }
+    }
+    let square = tape.push(Node::Multiply(strain, strain));
+    let skew = tape.push(Node::Multiply(square, n[0]));
+    let uneven = tape.push(Node::Call(Function::Exp, skew));
+    let everywhere = Sphere { order: 30, part: None };
+    let all = tape.push(Node::Directions { sphere: everywhere, body: uneven });
+    let within = tape.push(Node::Multiply(square, all));
+    let stretched = Sphere { order: 60, part: Some(Cone { shape, above: one }) };
+    let pulled = tape.push(Node::Directions { sphere: stretched, body: within });
+    sum = tape.push(Node::Add(sum, all));
+    tape.push(Node::Add(sum, pulled));
     tape
 }
 
