@@ -1,8 +1,11 @@
 //! Every law of the standard library against a value of another program, every volumetric part against its slope.
 
+use tissue::monitor::totals;
 use tissue::output::Provenance;
+use tissue::plan::Plan;
 use tissue::run::{DriveJob, DriveOutcome, drive};
 use tissue::scene::{Document, Drive, Memory, Mistake, library, resolve};
+use tissue::solver::Simulation;
 use tissue::syntax::Source;
 
 fn resolved(name: &str, text: &str, overrides: &[(String, String)]) -> Document {
@@ -117,5 +120,38 @@ drive swell {{
         }
         let (low, high) = (&outcome.tables[0].rows[0], &outcome.tables[0].rows[8]);
         assert!(low[2] < -0.2 * K && high[2] > 0.05 * K, "{name} resists both ways: {low:?} {high:?}");
+    }
+}
+
+#[test]
+fn every_material_of_the_library_moves_a_body_without_a_gain_of_energy_or_momentum() {
+    for file in library().iter().filter(|file| file.library == "materials") {
+        let name = file.name;
+        let text = format!(
+            "tissue 1
+import std.materials {{ {name} }}
+scene thrown {{
+  body cube {{ shape = box(2 mm, 2 mm, 2 mm)  spacing = 1 mm  material = {name} }}
+  start cube {{
+    velocity = [1 m/s + 50 s^-1 * X + 30 s^-1 * Y, 0 s^-1 * X - 20 s^-1 * Y, 10 s^-1 * X - 25 s^-1 * Z]
+  }}
+  run {{ until = 1 s }}
+}}
+"
+        );
+        let scene = resolved(name, &text, &[]).scenes.into_iter().next().expect("a scene");
+        let mut body = Simulation::new(&scene, &Plan::new(&scene)).expect("the body can be set up");
+        let before = totals(body.bodies(), &scene.symmetry);
+        while body.steps() < 5 {
+            body.step_towards(scene.run.until).expect("a gentle motion");
+        }
+        let after = totals(body.bodies(), &scene.symmetry);
+        let drift = (after.momentum - before.momentum).norm() / before.momentum_scale;
+        // two kicks a step, each rounded to 1.1e-16
+        assert!(drift < 20.0 * f64::EPSILON, "{name}: {drift}");
+        assert!(after.strain_energy > 0.0, "{name}: {after:?}");
+        // the energy of a step of Verlet's wavers by the square of the step over the period
+        let gained = (after.kinetic_energy + after.strain_energy) / before.kinetic_energy - 1.0;
+        assert!(gained < 1e-3, "{name}: {gained}");
     }
 }

@@ -15,6 +15,14 @@ pub(super) fn unknown_block(mistakes: &mut Mistakes, file: &File, block: &Block,
         mistakes.report(file, Code::NotAvailable, span, message, "not carried out", None);
         return;
     }
+    let before = file.text(&(0..span.start)).trim_end_matches([' ', '\t']);
+    let last = before.rsplit([' ', '\t', '\n']).next().unwrap_or_default();
+    if block.target.is_none() && vocabulary().blocks.iter().any(|known| known.word == last) {
+        let message = format!("`{last}` before `{word}` was read as the unit of a number");
+        let help = format!("start `{last} {word}` on a line of its own");
+        mistakes.report(file, Code::UnknownBlock, span, message, "", Some(help));
+        return;
+    }
     let elsewhere = vocabulary().blocks.iter().find(|known| known.word == word);
     let message = format!("there is no block `{word}` {place}");
     let help = match elsewhere {

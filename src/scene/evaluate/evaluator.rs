@@ -2,7 +2,7 @@
 
 use super::super::file::{File, Mistakes, Reported};
 use super::super::graph::Graph;
-use super::super::words::FUNCTIONS;
+use super::super::words::{FUNCTIONS, vocabulary};
 use super::scope::Let;
 use super::{Leaves, Outcome, Scalar, Scope, Value};
 use crate::expression::Tape;
@@ -117,11 +117,13 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
                     UnitError::Unknown { symbol, offset, suggestion } => (
                         unit.span.start + offset..unit.span.start + offset + symbol.len(),
                         "not a unit",
-                        swallowed(scope, &file, span, unit, *offset, suggestion.is_some()).or_else(|| {
-                            suggestion.map(|meant| {
-                                format!("write `{}`", unit.text.replacen(symbol.as_str(), meant, 1))
-                            })
-                        }),
+                        starts_a_block(&unit.text)
+                            .or_else(|| swallowed(scope, &file, span, unit, *offset, suggestion.is_some()))
+                            .or_else(|| {
+                                suggestion.map(|meant| {
+                                    format!("write `{}`", unit.text.replacen(symbol.as_str(), meant, 1))
+                                })
+                            }),
                     ),
                     _ => (unit.span.clone(), "this unit", None),
                 };
@@ -255,6 +257,13 @@ impl<'m, L: Leaves> Evaluator<'m, L> {
         let message = format!("`{}` takes {required} argument{plural}, but {found} are given", function.text);
         self.mistakes.report(&file, Code::WrongForm, function.span.clone(), message, "", None)
     }
+}
+
+/// What to do about a block on the line of a number: its word was read as the unit.
+fn starts_a_block(unit: &str) -> Option<String> {
+    let is_block = vocabulary().blocks.iter().any(|known| known.word == unit);
+    is_block
+        .then(|| format!("a word behind a number is its unit: start the block `{unit}` on a line of its own"))
 }
 
 /// How to write a product of a quantity and a name that was read as one unit: `100 s^-1*X`.
