@@ -115,3 +115,49 @@ fn blend(body: &mut BodyState, share: f64) {
         }
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Simulation;
+    use crate::plan::Plan;
+    use crate::scene::{Memory, resolve};
+    use crate::syntax::Source;
+
+    /// Positions and velocities after 20 steps on a number of threads, bit by bit.
+    fn bits(run: &str, threads: usize) -> Vec<u64> {
+        let text = format!(
+            "tissue 1
+import std.energies {{ neo_hooke, vol_quadratic }}
+material gel {{ energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 10 kPa)  density = 1000 kg/m^3 }}
+scene thrown {{
+  body cube {{ shape = box(1 m, 1 m, 1 m)  spacing = 0.2 m  jitter = 0.1  material = gel }}
+  start cube {{ velocity = [1 s^-1 * Y, 0.3 s^-1 * Z, 0.5 s^-1 * X] }}
+  traction cube.zmax {{ value = [0 Pa, 0 Pa, 1 Pa * sin(3 s^-1 * t)] }}
+  run {{ until = 100 s  formulation = pFHJ  volume_dissipation = restoring  angular_momentum = projected  {run} }}
+}}
+"
+        );
+        let (document, mistakes) = resolve(&Source { name: "text".into(), text }, &Memory::default(), &[]);
+        assert!(mistakes.is_empty(), "the scene resolves");
+        let scene = &document.scenes[0];
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| {
+            let mut simulation = Simulation::new(scene, &Plan::new(scene)).expect("the scene can be set up");
+            for _ in 0..20 {
+                simulation.step_towards(scene.run.until).expect("the scene runs");
+            }
+            let body = &simulation.bodies()[0];
+            body.x.iter().chain(&body.v).flat_map(|quad| quad.0.map(f64::to_bits)).collect()
+        })
+    }
+
+    #[test]
+    fn every_integrator_gives_the_same_bits_on_any_number_of_threads() {
+        let runs = ["integrator = tvd_rk2", "integrator = ssp_rk3", "integrator = velocity_verlet"];
+        let results = runs.map(|run| bits(run, 1));
+        for (run, one) in runs.iter().zip(&results) {
+            assert!(bits(run, 3) == *one, "{run}");
+        }
+        assert!(results[0] != results[1] && results[1] != results[2], "and each its own");
+    }
+}
