@@ -22,14 +22,20 @@ pub struct Input {
 
 /// A loader that remembers what it gave.
 struct Remembering {
-    read: RefCell<Vec<(String, String)>>,
+    read: RefCell<Vec<(String, Vec<u8>)>>,
 }
 
 impl Loader for Remembering {
     fn load(&self, path: &str) -> Result<String, LoadError> {
         let text = FileSystem.load(path)?;
-        self.read.borrow_mut().push((path.to_string(), text.clone()));
+        self.read.borrow_mut().push((path.to_string(), text.clone().into_bytes()));
         Ok(text)
+    }
+
+    fn load_bytes(&self, path: &str) -> Result<Vec<u8>, LoadError> {
+        let bytes = FileSystem.load_bytes(path)?;
+        self.read.borrow_mut().push((path.to_string(), bytes.clone()));
+        Ok(bytes)
     }
 }
 
@@ -45,7 +51,7 @@ pub fn read(path: &Path, overrides: &[(String, String)]) -> Result<Input, String
     let (document, mistakes) = resolve(&source, &loader, overrides);
     let read = loader.read.into_inner();
     let texts = std::iter::once((name.as_str(), source.text.as_bytes()))
-        .chain(read.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
+        .chain(read.iter().map(|(name, text)| (name.as_str(), text.as_slice())))
         .chain(overrides.iter().map(|(path, value)| (path.as_str(), value.as_bytes())));
     let hash = provenance::hash(texts);
     Ok(Input { name, document, hash, mistakes })

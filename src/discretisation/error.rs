@@ -40,6 +40,34 @@ pub enum DiscretisationError {
         /// The spacing, m.
         spacing: f64,
     },
+    /// Triangles that enclose no volume.
+    NoSurface {
+        /// How many there are.
+        triangles: usize,
+    },
+    /// A surface with a hole, or triangles that do not agree on what is outside.
+    OpenSurface {
+        /// How many edges do not join two triangles.
+        edges: usize,
+        /// The middle of one of them, m.
+        position: Vec3,
+    },
+    /// Hexahedra of a file that do not name points of it.
+    BadCell {
+        /// Index of the first such cell.
+        cell: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// A point without a place or a volume.
+    BadPoint {
+        /// Its index.
+        point: usize,
+        /// Its volume, m³.
+        volume: f64,
+    },
+    /// Points without cells cannot be integrated consistently: they have no boundary areas.
+    NoAreas,
     /// A union or difference that is not extruded from one plane region.
     NotAPrism,
     /// The random displacement of nodes must lie in [0, 0.5) spacings.
@@ -113,6 +141,29 @@ impl fmt::Display for DiscretisationError {
             ),
             Self::FeatureTooSmall { radius, spacing } => {
                 write!(f, "a radius of {radius:.4e} m is below the spacing, {spacing:.4e} m")
+            }
+            Self::NoSurface { triangles } => {
+                write!(f, "{triangles} triangles enclose no volume")
+            }
+            Self::OpenSurface { edges, position: x } => write!(
+                f,
+                "the surface is not closed: {edges} edges, one at X = ({:.4e}, {:.4e}, {:.4e}) m, do not join two \
+                 triangles that agree on what is outside",
+                x.x, x.y, x.z
+            ),
+            Self::BadPoint { point, volume } => {
+                write!(
+                    f,
+                    "point {point} needs finite coordinates and a positive volume; its volume is {volume:e} m^3"
+                )
+            }
+            Self::NoAreas => write!(
+                f,
+                "points without cells have no boundary areas; write `integration_consistency = off` or give a file with \
+                 hexahedra"
+            ),
+            Self::BadCell { cell, points } => {
+                write!(f, "cell {cell} names a corner that is none of the {points} points")
             }
             Self::NotAPrism => write!(
                 f,

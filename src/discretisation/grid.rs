@@ -39,7 +39,7 @@ const SIDES: [[usize; 4]; 6] =
     [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]];
 
 /// Edges of a hexahedron.
-const EDGES: [[usize; 2]; 12] =
+pub(super) const EDGES: [[usize; 2]; 12] =
     [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 /// Two-point Gauss abscissa, `1/√3`: exact to degree 3 in each variable.
@@ -77,6 +77,11 @@ fn cell_integrals(corner: &[Vec3; 8]) -> ([f64; 8], f64) {
         }
     }
     (integral, least)
+}
+
+/// Smallest determinant of a cell's map at the Gauss points, m³ per unit of ξ.
+pub(super) fn least_determinant(corner: &[Vec3; 8]) -> f64 {
+    cell_integrals(corner).1
 }
 
 /// Integrals of the four shape functions times the outward normal over a bilinear quadrilateral.

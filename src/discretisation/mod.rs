@@ -3,25 +3,32 @@
 //! Owns everything that is computed once from the reference configuration. Knows neither materials
 //! nor momentum nor time.
 
+mod conform;
 mod correction;
 mod error;
 mod grid;
 mod integration;
 mod kernel;
 mod lattice;
+mod mesh;
 mod neighbour;
 mod outline;
 mod particles;
 mod planar;
+mod points;
 mod prism;
 mod relation;
 mod shape;
+mod solid;
 mod stability;
 mod stencil;
 
 pub use error::DiscretisationError;
 pub use grid::quad_integrals;
 pub use kernel::Kernel;
+pub use mesh::Mesh;
 pub use particles::{FaceNodes, Particles};
+pub use points::Points;
 pub use shape::Shape;
+pub use solid::Solid;
 pub use stencil::{Consistency, Row, Stencils};

@@ -47,6 +47,9 @@ impl Particles {
     /// | `symmetry` | planes normal to x, y, z; the part of greater coordinates is kept | m |
     /// | `jitter` | bound of each component of the nodes' random displacement, in shortest edges at the node | – |
     ///
+    /// A surface of triangles and hexahedra from a file have no planes of symmetry, and hexahedra keep their nodes:
+    /// of those the spacing only measures the smoothing length.
+    ///
     /// The displacement is the same in every run. A face cut by a plane is named `symmetry_x`,
     /// `symmetry_y` or `symmetry_z` and carries its areas like every other.
     ///
@@ -58,7 +61,12 @@ impl Particles {
         symmetry: [Option<f64>; 3],
         jitter: f64,
     ) -> Result<Self, DiscretisationError> {
-        shape.prism()?.particles(spacing, symmetry, jitter)
+        match shape {
+            Shape::Solid(solid) => solid.particles(spacing, jitter),
+            Shape::Mesh(mesh) => mesh.particles(spacing),
+            Shape::Points(points) => points.particles(spacing),
+            _ => shape.prism()?.particles(spacing, symmetry, jitter),
+        }
     }
 
     /// How many nodes there are.

@@ -3,9 +3,13 @@
 //! Owns the shapes a body can have, their bounds and the names of their faces. Knows no grid.
 
 use super::error::DiscretisationError;
+use super::mesh::Mesh;
 use super::outline::{Outline, Profile, Vec2};
+use super::points::Points;
 use super::prism::Prism;
+use super::solid::Solid;
 use crate::tensor::Vec3;
+use std::sync::Arc;
 
 /// A region of the reference configuration.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +53,12 @@ pub enum Shape {
         /// Thickness along z, m.
         thickness: f64,
     },
+    /// What a closed surface of triangles encloses.
+    Solid(Arc<Solid>),
+    /// Hexahedra as a file gives them.
+    Mesh(Arc<Mesh>),
+    /// Points with volumes as a file gives them.
+    Points(Arc<Points>),
     /// All points of any part; parts are prisms along one axis that end together.
     Union(Vec<Shape>),
     /// The points of the first that belong to none of the others, which reach through it along one axis.
@@ -114,6 +124,9 @@ impl Shape {
             Self::Box { .. } => PLANES.to_vec(),
             Self::Cylinder { axis, .. } => vec![PLANES[2 * axis], PLANES[2 * axis + 1], "side"],
             Self::Dumbbell { .. } => vec!["xmin", "xmax", "zmin", "zmax", "edge"],
+            Self::Solid(solid) => solid.face_names(),
+            Self::Mesh(mesh) => mesh.face_names(),
+            Self::Points(points) => points.face_names(),
             Self::Union(parts) => {
                 let (low, high) = self.bounds();
                 let mut names = vec![];
@@ -155,6 +168,9 @@ impl Shape {
                 half[*axis] = 0.5 * height;
                 (centre - half, centre + half)
             }
+            Self::Solid(solid) => solid.bounds(),
+            Self::Mesh(mesh) => mesh.bounds(),
+            Self::Points(points) => points.bounds(),
             Self::Dumbbell { centre, tab_width, thickness, .. } => {
                 let half = Vec3::new(self.profile().end, 0.5 * tab_width, 0.5 * thickness);
                 (centre - half, centre + half)
@@ -205,6 +221,7 @@ impl Shape {
                 Outline::Dumbbell { centre: plane(centre), profile: self.profile() }
             }
             Self::Cylinder { .. } | Self::Dumbbell { .. } => return None,
+            Self::Solid(_) | Self::Mesh(_) | Self::Points(_) => return None,
             Self::Union(parts) => {
                 let parts = parts.iter().map(|part| part.along(axis)).collect::<Option<Vec<Prism>>>()?;
                 if parts.iter().any(|part| part.extent != extent) {
@@ -286,6 +303,8 @@ impl Shape {
                 })?;
                 if *tab_length == 0.0 { Ok(()) } else { positive("tab length", *tab_length) }
             }
+            // checked when they were made
+            Self::Solid(_) | Self::Mesh(_) | Self::Points(_) => Ok(()),
             Self::Union(parts) if parts.is_empty() => Err(DiscretisationError::NotAPrism),
             Self::Union(parts) => parts.iter().try_for_each(Self::check),
             Self::Difference(base, holes) => {

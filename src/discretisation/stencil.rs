@@ -74,6 +74,9 @@ impl Stencils {
         if !(smoothing > 0.0 && smoothing < 10.0) {
             return Err(DiscretisationError::BadSmoothing { smoothing });
         }
+        if consistency == Consistency::Integration && particles.cells.is_empty() {
+            return Err(DiscretisationError::NoAreas);
+        }
         let (position, volume) = (&particles.position, &particles.volume);
         let list = Neighbours::search(position, kernel.support() * h)?;
         let rows: Vec<Option<Vec<Vec3>>> = (0..position.len())

@@ -18,6 +18,14 @@ pub trait Loader {
     /// # Errors
     /// [`LoadError`] says why there is none.
     fn load(&self, path: &str) -> Result<String, LoadError>;
+
+    /// The bytes of a file that need not be text.
+    ///
+    /// # Errors
+    /// [`LoadError`] says why there are none.
+    fn load_bytes(&self, path: &str) -> Result<Vec<u8>, LoadError> {
+        self.load(path).map(String::into_bytes)
+    }
 }
 
 /// Why a file could not be read.
@@ -72,6 +80,10 @@ pub struct FileSystem;
 
 impl Loader for FileSystem {
     fn load(&self, path: &str) -> Result<String, LoadError> {
+        String::from_utf8(self.load_bytes(path)?).map_err(|_| LoadError::NotText)
+    }
+
+    fn load_bytes(&self, path: &str) -> Result<Vec<u8>, LoadError> {
         let refused = |error: std::io::Error| match error.kind() {
             std::io::ErrorKind::NotFound => LoadError::Missing,
             kind => LoadError::Refused(kind),
@@ -83,7 +95,7 @@ impl Loader for FileSystem {
         if metadata.len() > LARGEST {
             return Err(LoadError::TooLarge);
         }
-        String::from_utf8(std::fs::read(path).map_err(refused)?).map_err(|_| LoadError::NotText)
+        std::fs::read(path).map_err(refused)
     }
 }
 

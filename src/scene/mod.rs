@@ -8,6 +8,7 @@ mod drives;
 mod energies;
 mod evaluate;
 mod file;
+mod files;
 mod graph;
 mod library;
 mod loader;

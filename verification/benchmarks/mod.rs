@@ -33,6 +33,30 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
     BenchmarkFile { path: "specs/skin/parallel.tissue", tier: Tier::Full, wrong: &[] },
     BenchmarkFile { path: "specs/skin/perpendicular.tissue", tier: Tier::Full, wrong: &[] },
     BenchmarkFile { path: "specs/skin/asymmetric.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/artery/layered.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile {
+        path: "specs/loads/moved_faces.tissue",
+        tier: Tier::Quick,
+        // a softer gel
+        wrong: &[("gel.neo_hooke.mu", "15 kPa")],
+    },
+    BenchmarkFile {
+        path: "specs/loads/inflated_tube.tissue",
+        tier: Tier::Full,
+        wrong: &[("gel.neo_hooke.mu", "15 kPa"), ("wound.hgo.k1", "20 kPa")],
+    },
+    BenchmarkFile {
+        path: "specs/classics/twisting_column.tissue",
+        tier: Tier::Quick,
+        // a softer column, which goes on turning
+        wrong: &[("rubber.E", "8 MPa")],
+    },
+    BenchmarkFile {
+        path: "specs/classics/twisting_column_fine.tissue",
+        tier: Tier::Full,
+        wrong: &[("rubber.E", "8 MPa"), ("column.spacing", "0.125 m")],
+    },
+    BenchmarkFile { path: "specs/classics/bending_column.tissue", tier: Tier::Full, wrong: &[] },
     BenchmarkFile {
         path: "specs/sweeps/dispersion.tissue",
         tier: Tier::Quick,

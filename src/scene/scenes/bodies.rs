@@ -26,9 +26,11 @@ impl Stage<'_> {
         let file = Rc::clone(&self.file);
         let path = [self.name.text.as_str(), name.text.as_str()];
         let members = Members::read_with(self.mistakes, &file, &BODY, block, self.overrides, &path);
-        let shape = members
-            .required(self.mistakes, &file, &BODY, block, "shape")
-            .and_then(|site| self.evaluate(&site, (false, false), shape).map(|shape| (shape, site)));
+        let shape = members.required(self.mistakes, &file, &BODY, block, "shape").and_then(|site| {
+            let files = self.loader;
+            let shape = self.evaluate(&site, (false, false), |e, scope, id| shape(e, scope, files, id));
+            shape.map(|shape| (shape, site))
+        });
         let spacing = members.required(self.mistakes, &file, &BODY, block, "spacing").and_then(|site| {
             self.positive(&site, "spacing", Dimension::LENGTH).map(|spacing| (spacing, site))
         });

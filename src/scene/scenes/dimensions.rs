@@ -71,6 +71,23 @@ impl<'e, 'm, 's> Dimensions<'e, 'm, 's> {
         })
     }
 
+    /// Whether an argument is given.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.given.contains_key(name)
+    }
+
+    /// A text in quotes that must be given, and where it stands.
+    pub(super) fn text(&mut self, name: &'static str) -> Result<(String, ExprId), Reported> {
+        let id = self.required(name)?;
+        let file = Rc::clone(self.scope.file());
+        if let ExprKind::Text(text) = &file.tree.expr(id).kind {
+            return Ok((text.clone(), id));
+        }
+        let message = format!("`{name}` is a text in quotes");
+        let help = Some(format!("write `{}`", form(&self.function.text)));
+        Err(self.evaluator.mistakes.report(&file, Code::WrongForm, file.span(id), message, "", help))
+    }
+
     /// A length greater than 0.
     pub(super) fn length(&mut self, name: &'static str, default: Option<f64>) -> Result<f64, Reported> {
         if let (None, Some(value)) = (self.given.get(name), default) {

@@ -3,9 +3,10 @@
 use super::super::evaluate::{Evaluator, Outcome, Scalar, Scope, Value, symbol};
 use super::super::file::Reported;
 use super::super::members::Members;
-use super::super::model::{Coordinate, Load, Start};
+use super::super::model::{Coordinate, Load, Region, Start};
 use super::super::words::{BODY_FORCE, GRAVITY, PRESSURE, START, TRACTION};
 use super::stage::Stage;
+use crate::discretisation::Shape;
 use crate::expression::Comparison;
 use crate::syntax::{Argument, BinaryOperator, Block, Code, Diagnostic, ExprKind, Name};
 use crate::unit::{Dimension, Quantity};
@@ -15,7 +16,7 @@ impl Stage<'_> {
     pub(super) fn traction(&mut self, block: &Block) -> Result<(), Reported> {
         let file = Rc::clone(&self.file);
         let members = Members::read(self.mistakes, &file, &TRACTION, block);
-        let region = self.target_face(block);
+        let region = self.loaded_face(block);
         let site = members.required(self.mistakes, &file, &TRACTION, block, "value")?;
         let traction = self.fields(&site, "value", Dimension::PRESSURE, (true, true))?;
         let load = Load::Traction { place: file.place(&block.kind.span), region: region?, traction };
@@ -27,13 +28,27 @@ impl Stage<'_> {
     pub(super) fn pressure(&mut self, block: &Block) -> Result<(), Reported> {
         let file = Rc::clone(&self.file);
         let members = Members::read(self.mistakes, &file, &PRESSURE, block);
-        let region = self.target_face(block);
+        let region = self.loaded_face(block);
         let site = members.required(self.mistakes, &file, &PRESSURE, block, "value")?;
         let pressure = self.field(&site, "value", Dimension::PRESSURE, (true, true))?;
         let load = Load::Pressure { place: file.place(&block.kind.span), region: region?, pressure };
         self.scene.loads.push(load);
         self.load_sites.push(super::stage::heading(block));
         Ok(())
+    }
+
+    /// The face a force per area acts on: it must have an area.
+    fn loaded_face(&mut self, block: &Block) -> Result<Region, Reported> {
+        let region = self.target_face(block)?;
+        if !matches!(self.scene.bodies[region.body].shape, Shape::Points(_)) {
+            return Ok(region);
+        }
+        let file = Rc::clone(&self.file);
+        let name = &self.scene.bodies[region.body].name;
+        let message = format!("`{name}` is made of points without cells, its faces have no area");
+        let help = Some("write `body_force`, `move`, or give a file with hexahedra".into());
+        let span = super::stage::heading(block);
+        Err(self.mistakes.report(&file, Code::Conflict, span, message, "", help))
     }
 
     pub(super) fn body_force(&mut self, block: &Block) -> Result<(), Reported> {

@@ -9,6 +9,7 @@ mod conflicts;
 mod dimensions;
 mod expectations;
 mod faces;
+mod file_shapes;
 mod loads;
 mod motions;
 mod plots;

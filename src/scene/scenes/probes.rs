@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Required, Scope, Value};
 use super::super::file::{File, Reported};
-use super::super::model::{Field, MotionField, Norm, Probe};
+use super::super::model::{Field, MotionField, Probe};
 use super::super::words::{FIELD_WORDS, PROBES};
 use super::faces::Bodies;
 use crate::schema::nearest;
@@ -65,10 +65,7 @@ impl Scope<Probe> for ProbeScope<'_> {
             ("impulse", 1) => Some(self.impulse(evaluator, outer, arguments)),
             ("section_force", _) => Some(self.section_force(evaluator, outer, function, arguments)),
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
-            ("error", 1) => {
-                Some(self.error(evaluator, outer.file(), arguments[0].value, Norm::RootMeanSquare))
-            }
-            ("mean_error", 1) => Some(self.error(evaluator, outer.file(), arguments[0].value, Norm::Mean)),
+            ("error", 1) => Some(self.error(evaluator, outer.file(), arguments)),
             ("max" | "min", 1) => {
                 Some(field(evaluator, outer.file(), arguments[0].value).map(|(field, dimension)| {
                     let probe =
@@ -234,7 +231,8 @@ impl ProbeScope<'_> {
     }
 
     /// `error(x)`: the distance from the exact motion.
-    fn error(&self, evaluator: &mut Evaluator<Probe>, file: &File, id: ExprId, norm: Norm) -> Outcome {
+    fn error(&self, evaluator: &mut Evaluator<Probe>, file: &File, arguments: &[Argument]) -> Outcome {
+        let id = arguments[0].value;
         let written = file.expression(id);
         let known = [
             ("x", MotionField::Position, Dimension::LENGTH),
@@ -255,7 +253,7 @@ impl ProbeScope<'_> {
             let span = file.span(id);
             return Err(evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help));
         }
-        Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field, norm)), dimension))
+        Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field)), dimension))
     }
 
     /// `impulse(strip.xmax)` or `impulse(strip)`.

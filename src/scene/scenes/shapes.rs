@@ -2,8 +2,9 @@
 
 use super::super::evaluate::{Evaluator, Required, Scope};
 use super::super::file::Reported;
+use super::super::loader::Loader;
 use super::super::model::Coordinate;
-use super::super::words::SHAPES;
+use super::super::words::{FILE_SHAPES, SHAPES};
 use super::dimensions::Dimensions;
 use crate::discretisation::{DiscretisationError, Shape};
 use crate::schema::nearest;
@@ -19,9 +20,10 @@ type Places<'m> = Evaluator<'m, Coordinate>;
 pub(super) fn shape(
     evaluator: &mut Places,
     scope: &dyn Scope<Coordinate>,
+    files: &dyn Loader,
     id: ExprId,
 ) -> Result<Shape, Reported> {
-    let shape = described(evaluator, scope, id)?;
+    let shape = described(evaluator, scope, files, id)?;
     match shape.validate() {
         Ok(()) => Ok(shape),
         Err(error) => {
@@ -34,16 +36,23 @@ pub(super) fn shape(
     }
 }
 
-fn described(evaluator: &mut Places, scope: &dyn Scope<Coordinate>, id: ExprId) -> Result<Shape, Reported> {
+fn described(
+    evaluator: &mut Places,
+    scope: &dyn Scope<Coordinate>,
+    files: &dyn Loader,
+    id: ExprId,
+) -> Result<Shape, Reported> {
     let file = Rc::clone(scope.file());
     let expr = file.tree.expr(id);
     match &expr.kind {
         ExprKind::Binary { operator: BinaryOperator::Add, left, right, .. } => {
-            let (left, right) = (described(evaluator, scope, *left), described(evaluator, scope, *right));
+            let left = described(evaluator, scope, files, *left);
+            let right = described(evaluator, scope, files, *right);
             Ok(Shape::Union(parts(left?).chain(parts(right?)).collect()))
         }
         ExprKind::Binary { operator: BinaryOperator::Subtract, left, right, .. } => {
-            let (left, right) = (described(evaluator, scope, *left), described(evaluator, scope, *right));
+            let left = described(evaluator, scope, files, *left);
+            let right = described(evaluator, scope, files, *right);
             Ok(match (left?, right?) {
                 (Shape::Difference(base, mut holes), more) => {
                     holes.extend(parts(more));
@@ -55,11 +64,13 @@ fn described(evaluator: &mut Places, scope: &dyn Scope<Coordinate>, id: ExprId) 
         ExprKind::Call { function, arguments } => match function.text.as_str() {
             "box" => block(evaluator, scope, id, arguments),
             "cylinder" => cylinder(evaluator, scope, function, arguments),
-            "ring" => ring(evaluator, scope, function, arguments),
+            "ring" => ring(evaluator, scope, files, function, arguments),
+            "stl" => super::file_shapes::stl(evaluator, scope, files, function, arguments),
+            "vtu" => super::file_shapes::vtu(evaluator, scope, files, function, arguments),
             "dumbbell" => dumbbell(evaluator, scope, function, arguments),
             _ => {
                 let message = format!("there is no shape `{}`", function.text);
-                let words = || SHAPES.iter().map(|word| word.word);
+                let words = || SHAPES.iter().chain(FILE_SHAPES).map(|word| word.word);
                 let help = match nearest(&function.text, words()) {
                     Some(meant) => format!("write `{}`", form(meant)),
                     None => format!("the shapes are {}", words().collect::<Vec<_>>().join(", ")),
@@ -79,7 +90,7 @@ fn described(evaluator: &mut Places, scope: &dyn Scope<Coordinate>, id: ExprId) 
 
 /// How a shape is written.
 pub(super) fn form(word: &str) -> &'static str {
-    SHAPES.iter().find(|known| known.word == word).map_or("", |known| known.form)
+    SHAPES.iter().chain(FILE_SHAPES).find(|known| known.word == word).map_or("", |known| known.form)
 }
 
 /// The parts of a union, or the shape itself.
@@ -114,6 +125,7 @@ fn cylinder(
 fn ring(
     evaluator: &mut Places,
     scope: &dyn Scope<Coordinate>,
+    files: &dyn Loader,
     function: &Name,
     arguments: &[Argument],
 ) -> Result<Shape, Reported> {
@@ -122,7 +134,7 @@ fn ring(
     let (count, ring, start) = (given.count("count"), given.length("radius", None), given.angle("start"));
     let of = given.required("of")?;
     let file = Rc::clone(scope.file());
-    let part = described(evaluator, scope, of)?;
+    let part = described(evaluator, scope, files, of)?;
     let Shape::Cylinder { centre, axis, radius, height } = part else {
         let message = "a ring is made of cylinders";
         let help = Some("write `of = cylinder(radius = 0.3 m, height = 1 m)`".into());

@@ -121,6 +121,22 @@ pub(in crate::scene) static SHAPES: &[Word] = &[
     ),
 ];
 
+/// Shapes read from files.
+pub(in crate::scene) static FILE_SHAPES: &[Word] = &[
+    word(
+        "stl",
+        "stl(\"part.stl\", scale = 1 mm)",
+        SHAPE,
+        "What a closed surface of triangles encloses, text or binary, in lengths of `scale`; nodes lie on the surface and on its sharp edges. Faces: xmin to zmax where an end is plane, all else is surface.",
+    ),
+    word(
+        "vtu",
+        "vtu(\"mesh.vtu\", scale = 1 mm)",
+        SHAPE,
+        "Hexahedra of a VTK file, every node a particle; `spacing` then only measures the smoothing length. Points without cells need `volume = \"V\"`, a point array in cubes of `scale`, and integration_consistency = off. Faces: xmin to zmax where an end is plane, all else is surface.",
+    ),
+];
+
 /// What a record can ask for.
 pub(in crate::scene) static PROBES: &[Word] = &[
     word(
@@ -160,12 +176,6 @@ pub(in crate::scene) static PROBES: &[Word] = &[
         "error(x)",
         RECORD,
         "Root mean square of the difference from the exact motion of the scene, weighted by volume, in the unit of what is compared: x, v, F, H, J or P.",
-    ),
-    word(
-        "mean_error",
-        "mean_error(P)",
-        RECORD,
-        "Mean magnitude of the same difference, weighted by volume: an error confined to the boundary counts by its share of the volume.",
     ),
     word("gradient_error", "gradient_error", RECORD, "Largest |F - Grad x| over the particles."),
     word("area_map_error", "area_map_error", RECORD, "Largest |H - cof F| over the particles."),

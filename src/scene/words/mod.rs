@@ -18,7 +18,9 @@ use crate::schema::{Declaration, Vocabulary};
 
 pub(super) use body::{BODY, BOND, SYMMETRY};
 pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
-pub(super) use expressions::{ENERGY_WORDS, FIELD_WORDS, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES};
+pub(super) use expressions::{
+    ENERGY_WORDS, FIELD_WORDS, FILE_SHAPES, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES,
+};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, START, TRACTION};
 pub(super) use motion::MOTION;
@@ -66,6 +68,7 @@ static VOCABULARY: Vocabulary = Vocabulary {
         ENERGY_WORDS,
         PLACE_WORDS,
         SHAPES,
+        FILE_SHAPES,
         PROBES,
         FIELD_WORDS,
         SAMPLES,
