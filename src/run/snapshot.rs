@@ -39,8 +39,19 @@ pub fn frame(simulation: &Simulation, values: &[String], provenance: &[String]) 
         time: simulation.time(),
         reference: each().map(|(body, a)| body.particles.position[a]).collect(),
         displacement: each().map(|(b, a)| b.x[a].vector() - b.particles.position[a]).collect(),
-        hexahedra: Vec::new(),
+        hexahedra: cells(bodies),
         fields,
         provenance: provenance.to_vec(),
     }
+}
+
+/// Cells of the background grids, the corners counted through all bodies.
+fn cells(bodies: &[BodyState]) -> Vec<[usize; 8]> {
+    let mut first = 0;
+    let mut cells = Vec::new();
+    for body in bodies {
+        cells.extend(body.particles.cells.iter().map(|cell| cell.map(|corner| first + corner as usize)));
+        first += body.len();
+    }
+    cells
 }

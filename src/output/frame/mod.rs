@@ -2,6 +2,7 @@
 
 mod collection;
 mod model;
+mod read;
 mod vtu;
 
 pub use collection::Collection;

@@ -171,6 +171,11 @@ pub enum FrameError {
         /// Number of particles.
         points: usize,
     },
+    /// A file holds no frame of this program's.
+    Unreadable {
+        /// The part that is missing or damaged.
+        part: String,
+    },
 }
 
 impl fmt::Display for FrameError {
@@ -191,6 +196,9 @@ impl fmt::Display for FrameError {
             ),
             Self::Corner { cell, corner, points } => {
                 write!(f, "cell {cell} names corner {corner}, but there are {points} particles")
+            }
+            Self::Unreadable { part } => {
+                write!(f, "the frame cannot be read: `{part}` is missing or damaged")
             }
         }
     }
