@@ -19,6 +19,7 @@ mod points;
 mod prism;
 mod relation;
 mod shape;
+mod silhouette;
 mod solid;
 mod stability;
 mod stencil;

@@ -60,7 +60,7 @@ impl Profile {
     }
 
     /// Half width at a distance from the middle, both positive.
-    fn half_width(&self, x: f64) -> f64 {
+    pub fn half_width(&self, x: f64) -> f64 {
         let from_gauge = x - self.gauge[0];
         let to_tab = self.transition() - from_gauge;
         if from_gauge <= 0.0 {

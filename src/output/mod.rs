@@ -14,7 +14,10 @@ pub mod sweep_report;
 pub mod table;
 
 pub use drive_report::DriveReport;
-pub use figure::{Axis, FieldFigure, Figure, FigureError, Mark, Panel, Scale, Series, Slope, View};
+pub use figure::{
+    Axis, Band, Dimension, FieldFigure, Figure, FigureError, Mark, Note, Panel, Patch, Scale, Series, Sketch,
+    Slope, View, sheet,
+};
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;

@@ -26,11 +26,20 @@ impl Ruler {
     /// The range grows to whole ticks, so nothing is clipped. Preconditions: `low <= high`, both
     /// finite, both positive on a logarithmic axis ([`super::Figure::check`]).
     pub(super) fn new(axis: &Axis, low: f64, high: f64) -> Self {
+        let (low, high) = axis.range.unwrap_or((low, high));
         debug_assert!(low <= high && low.is_finite() && high.is_finite());
-        match axis.scale {
+        let mut ruler = match axis.scale {
             Scale::Linear => Self::linear(axis, low, high),
             Scale::Logarithmic => Self::logarithmic(axis, low, high),
+        };
+        if axis.range.is_some() {
+            // ends where it is asked to, not at the next whole tick
+            let slack = 1e-9 * (high - low);
+            ruler.major.retain(|(value, _)| (low - slack..=high + slack).contains(value));
+            ruler.minor.retain(|value| (low - slack..=high + slack).contains(value));
+            (ruler.low, ruler.high) = (low, high);
         }
+        ruler
     }
 
     /// Fraction of the axis at which `value` lies, 0 at its start and 1 at its end.
@@ -138,7 +147,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn axis(unit: &str, scale: Scale) -> Axis {
-        Axis { label: "d".into(), unit: unit.into(), scale }
+        Axis { label: "d".into(), unit: unit.into(), scale, range: None }
     }
 
     fn texts(ruler: &Ruler) -> String {
@@ -172,6 +181,14 @@ mod tests {
         }
         let ruler = Ruler::new(&axis("", Scale::Logarithmic), 10.0, 10.0);
         assert!((0.0..=1.0).contains(&ruler.fraction(10.0)) && ruler.major.len() > 1);
+    }
+
+    #[test]
+    fn an_axis_of_a_given_range_ends_there_with_the_whole_ticks_inside() {
+        let range = Some((0.3e-3, 2.2e-3));
+        let ruler = Ruler::new(&Axis { range, ..axis("m", Scale::Linear) }, 0.0, 1.0);
+        assert_eq!(texts(&ruler), "0.5 1.0 1.5 2.0");
+        assert_eq!((ruler.fraction(0.3e-3), ruler.fraction(2.2e-3)), (0.0, 1.0));
     }
 
     proptest! {

@@ -175,6 +175,12 @@ impl Canvas<'_> {
         self.area.draw(&Polygon::new(path, filled(colour))).map_err(drawing)
     }
 
+    /// A filled region without an outline.
+    pub(super) fn area_filled(&self, corners: &[Point], colour: Colour) -> Result<(), FigureError> {
+        let path: Vec<(i32, i32)> = corners.iter().copied().map(steps).collect();
+        self.area.draw(&Polygon::new(path, filled(colour))).map_err(drawing)
+    }
+
     /// A filled disc without an outline.
     pub(super) fn dot(&self, centre: Point, radius: f64, colour: Colour) -> Result<(), FigureError> {
         self.area.draw(&Circle::new(steps(centre), step(radius), filled(colour))).map_err(drawing)

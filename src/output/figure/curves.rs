@@ -5,6 +5,7 @@
 
 use super::axis::Ruler;
 use super::canvas::{Anchor, Canvas, Point, page, text_width};
+use super::clip;
 use super::legend::Legend;
 use super::mark::draw_mark;
 use super::model::{Figure, FigureError, Mark, Series, Slope};
@@ -53,7 +54,8 @@ struct Plot<'a> {
 
 impl<'a> Plot<'a> {
     fn new(figure: &'a Figure) -> Self {
-        let all = || figure.series.iter().flat_map(|series| &series.points);
+        let corners = || figure.bands.iter().flat_map(|band| &band.corners);
+        let all = || figure.series.iter().flat_map(|series| &series.points).chain(corners());
         let range = |pick: fn(&(f64, f64)) -> f64| {
             let low = all().map(pick).fold(f64::INFINITY, f64::min);
             let high = all().map(pick).fold(f64::NEG_INFINITY, f64::max);
@@ -90,13 +92,26 @@ impl<'a> Plot<'a> {
         series.points.iter().map(|point| self.place(point)).collect()
     }
 
+    /// The lines of a series, or its markers, cut off at the axes.
+    fn parts(&self, series: &Series) -> Vec<Vec<Point>> {
+        let places = self.places(series);
+        let is_line = series.mark != Mark::Markers;
+        if places.iter().all(|place| clip::holds(&self.frame, *place)) {
+            return vec![places];
+        }
+        if is_line {
+            return clip::line(&places, &self.frame);
+        }
+        vec![places.into_iter().filter(|place| clip::holds(&self.frame, *place)).collect()]
+    }
+
     /// Points of the page that something is drawn on, close enough together for the legend to avoid.
     fn drawn(&self) -> Vec<Point> {
         let mut all = Vec::new();
         for series in &self.figure.series {
-            let places = self.places(series);
-            all.extend(places.first().copied());
-            for pair in places.windows(2) {
+            let parts = self.parts(series);
+            all.extend(parts.iter().filter_map(|part| part.first().copied()));
+            for pair in parts.iter().flat_map(|part| part.windows(2)) {
                 let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
                 // Bounded by the size of the page: every place is on it.
                 let n = 1 + libm::ceil(libm::hypot(x1 - x0, y1 - y0) / 4.0) as u32;
@@ -115,7 +130,9 @@ impl<'a> Plot<'a> {
         self.draw_axes(canvas)?;
         for (i, series) in self.figure.series.iter().enumerate() {
             let number = series.colour.unwrap_or(i);
-            draw_mark(canvas, &self.places(series), series.mark, palette::series(number), number)?;
+            for part in self.parts(series) {
+                draw_mark(canvas, &part, series.mark, palette::series(number), number)?;
+            }
         }
         for slope in &self.figure.slopes {
             self.draw_slope(canvas, *slope)?;
@@ -132,6 +149,13 @@ impl<'a> Plot<'a> {
 
     fn draw_axes(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
         let Area { left, right, top, bottom } = self.frame;
+        for band in &self.figure.bands {
+            let places: Vec<Point> = band.corners.iter().map(|corner| self.place(corner)).collect();
+            let inside = clip::region(&places, &self.frame);
+            if inside.len() > 2 {
+                canvas.area_filled(&inside, palette::tint(band.colour))?;
+            }
+        }
         let across = |value: f64| left + (right - left) * self.x.fraction(value);
         let up = |value: f64| bottom - (bottom - top) * self.y.fraction(value);
         for (value, _) in &self.x.major {
@@ -230,6 +254,7 @@ mod tests {
             label: label.into(),
             unit: unit.into(),
             scale: Scale::Logarithmic,
+            range: None,
         };
         Figure {
             title: "Manufactured solution".into(),

@@ -3,6 +3,7 @@
 //! Owns the data and how it is taken from frames; drawing is in the neighbouring files.
 
 use super::model::FigureError;
+use super::surface::outer_faces;
 use crate::output::frame::Frame;
 use crate::tensor::Vec3;
 
@@ -37,8 +38,9 @@ pub struct Panel {
     pub positions: Vec<Vec3>,
     /// One value a position, SI.
     pub values: Vec<f64>,
-    /// Cells between the positions, whose outer faces are drawn; a disc a position where there are none.
-    pub hexahedra: Vec<[usize; 8]>,
+    /// Faces of the surface by their corners, anticlockwise from outside; a disc a position where there
+    /// are none.
+    pub faces: Vec<Vec<usize>>,
     /// Diameter of a disc, m.
     pub spacing: f64,
 }
@@ -63,6 +65,13 @@ impl View {
     /// From above one side: x mostly to the right, z upwards, y into the page.
     pub fn oblique() -> Self {
         let eye = Vec3::new(-0.45, -1.0, 0.55).normalize();
+        let right = Vec3::z().cross(&eye).normalize();
+        Self { right, up: eye.cross(&right) }
+    }
+
+    /// From the origin of a quarter model, above: its planes of symmetry x = 0 and y = 0 and its top.
+    pub fn corner() -> Self {
+        let eye = Vec3::new(-1.0, -0.75, 0.7).normalize();
         let right = Vec3::z().cross(&eye).normalize();
         Self { right, up: eye.cross(&right) }
     }
@@ -93,29 +102,47 @@ impl Panel {
             caption: caption.to_owned(),
             positions: frame.positions(),
             values: found.values.iter().skip(component).step_by(found.components).copied().collect(),
-            hexahedra: frame.hexahedra.clone(),
+            faces: outer_faces(&frame.hexahedra),
             spacing,
         })
     }
 
     /// The panel with its mirror image at the plane where coordinate `axis` is `at`, as a plane of
-    /// symmetry shows the whole body.
+    /// symmetry shows the whole body; `is_odd` where the mirror turns the sign of the values.
+    ///
+    /// Positions on the plane belong to both sides, so that no seam is seen.
     #[must_use]
-    pub fn mirrored(mut self, axis: usize, at: f64) -> Self {
+    pub fn mirrored(mut self, axis: usize, at: f64, is_odd: bool) -> Self {
         let n = self.positions.len();
-        let image = |x: &Vec3| {
-            let mut image = *x;
-            image[axis] = 2.0 * at - x[axis];
-            image
-        };
-        self.positions.extend(self.positions.clone().iter().map(image));
-        self.values.extend_from_within(..);
-        // A mirror image turns a cell inside out; exchanging its two ends turns it back.
-        let turned = |c: &[usize; 8]| [c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]].map(|i| i + n);
-        self.hexahedra.extend(self.hexahedra.clone().iter().map(turned));
+        let extent = self.positions.iter().map(|x| (x[axis] - at).abs()).fold(0.0, f64::max);
+        let on_plane: Vec<bool> =
+            self.positions.iter().map(|x| (x[axis] - at).abs() <= ON_PLANE * extent).collect();
+        let mut image_of = Vec::with_capacity(n);
+        for i in 0..n {
+            if on_plane[i] && !self.faces.is_empty() {
+                image_of.push(i);
+                continue;
+            }
+            let mut image = self.positions[i];
+            image[axis] = 2.0 * at - image[axis];
+            image_of.push(self.positions.len());
+            self.positions.push(image);
+            self.values.push(if is_odd { -self.values[i] } else { self.values[i] });
+        }
+        self.faces.retain(|face| !face.iter().all(|&corner| on_plane[corner]));
+        // a mirror image is seen the other way round
+        let turned: Vec<Vec<usize>> = self
+            .faces
+            .iter()
+            .map(|face| face.iter().rev().map(|&corner| image_of[corner]).collect())
+            .collect();
+        self.faces.extend(turned);
         self
     }
 }
+
+/// Share of the extent below which a position lies on a plane of symmetry.
+const ON_PLANE: f64 = 1e-6;
 
 impl FieldFigure {
     /// Whether the figure can be drawn.
@@ -128,8 +155,9 @@ impl FieldFigure {
         }
         for panel in &self.panels {
             let points = panel.positions.len();
-            let corners_exist = panel.hexahedra.iter().flatten().all(|&corner| corner < points);
-            let needs_size = panel.hexahedra.is_empty();
+            let corners_exist =
+                panel.faces.iter().all(|face| face.len() > 2 && face.iter().all(|&corner| corner < points));
+            let needs_size = panel.faces.is_empty();
             let has_size = panel.spacing.is_finite() && panel.spacing > 0.0;
             if panel.values.len() != points || !corners_exist || (needs_size && !has_size) {
                 return Err(FigureError::Panel { caption: panel.caption.clone() });

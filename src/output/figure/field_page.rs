@@ -71,7 +71,8 @@ impl<'a> Layout<'a> {
         };
         for piece in pieces.iter().flatten() {
             match *piece {
-                Piece::Face(corners, _) => corners.into_iter().for_each(&mut include),
+                Piece::Share(ref corners, _) => corners.iter().copied().for_each(&mut include),
+                Piece::Edge(ends) => ends.into_iter().for_each(&mut include),
                 Piece::Disc((x, y), r, _) => {
                     include((x - r, y - r));
                     include((x + r, y + r));
@@ -89,7 +90,9 @@ impl<'a> Layout<'a> {
         let top = if figure.title.is_empty() { GAP } else { 46.0 };
         let needed = top + cell.1 * rows as f64 + SMALL + 26.0;
         let (first, last) = figure.values_range();
-        let axis = Axis { label: figure.label.clone(), unit: figure.unit.clone(), ..Axis::default() };
+        let (label, unit) = (figure.label.clone(), figure.unit.clone());
+        let axis =
+            Axis { label, unit, range: figure.range.filter(|range| range.0 < range.1), ..Axis::default() };
         let ruler = Ruler::new(&axis, first, last);
         Self { figure, pieces, ruler, low, high, scale, columns, cell, top, height: needed.max(LEAST_HEIGHT) }
     }
@@ -118,9 +121,11 @@ impl<'a> Layout<'a> {
             (origin.0 + self.scale * (x - self.low.0), origin.1 - self.scale * (y - self.low.1))
         };
         match *piece {
-            Piece::Face(corners, value) => {
-                canvas.patch(&corners.map(place), viridis(self.ruler.fraction(value)))
+            Piece::Share(ref corners, value) => {
+                let corners: Vec<Point> = corners.iter().copied().map(place).collect();
+                canvas.patch(&corners, viridis(self.ruler.fraction(value)))
             }
+            Piece::Edge(ends) => canvas.line(&ends.map(place), INK, 0.75),
             Piece::Disc(centre, radius, value) => {
                 canvas.dot(place(centre), self.scale * radius, viridis(self.ruler.fraction(value)))
             }
@@ -166,6 +171,7 @@ impl<'a> Layout<'a> {
 #[cfg(test)]
 mod tests {
     use super::super::field::{Panel, View};
+    use super::super::surface::outer_faces;
     use super::*;
     use crate::output::frame::{Frame, FrameField};
     use crate::tensor::Vec3;
@@ -193,7 +199,7 @@ mod tests {
     fn panel(stretch: f64) -> Panel {
         let caption = format!("stretch {stretch}");
         let panel = Panel::new(&caption, &strip(stretch), "pressure", 0, 0.25e-3).expect("has a pressure");
-        panel.mirrored(0, 0.0).mirrored(1, 0.0)
+        panel.mirrored(0, 0.0, false).mirrored(1, 0.0, false)
     }
 
     fn stages() -> FieldFigure {
@@ -213,6 +219,7 @@ mod tests {
         let m = n + 1;
         let at = |i: usize, j: usize, k: usize| i + m * (j + m * k);
         let mut panel = Panel::default();
+        let mut hexahedra = Vec::new();
         for (k, j, i) in (0..m * m * m).map(|c| (c / (m * m), c / m % m, c % m)) {
             let x = Vec3::new(i as f64, j as f64, k as f64) / n as f64;
             panel.positions.push(Vec3::new(x.x + 0.3 * x.z, x.y, x.z));
@@ -220,9 +227,10 @@ mod tests {
             if i < n && j < n && k < n {
                 let layer = |k| [at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k)];
                 let (low, high) = (layer(k), layer(k + 1));
-                panel.hexahedra.push(std::array::from_fn(|c| if c < 4 { low[c] } else { high[c - 4] }));
+                hexahedra.push(std::array::from_fn(|c| if c < 4 { low[c] } else { high[c - 4] }));
             }
         }
+        panel.faces = outer_faces(&hexahedra);
         FieldFigure {
             label: "J − 1".into(),
             panels: vec![panel],

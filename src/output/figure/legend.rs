@@ -17,10 +17,10 @@ const SAMPLE: f64 = 34.0;
 /// Distance of the legend from the axes, units.
 const INSET: f64 = 10.0;
 
-/// An entry: legend text, mark and number of the colour.
+/// An entry: legend text, mark (none of a region) and number of the colour.
 struct Entry<'a> {
     text: &'a str,
-    mark: Mark,
+    mark: Option<Mark>,
     colour: usize,
 }
 
@@ -34,13 +34,16 @@ impl<'a> Legend<'a> {
     pub(super) fn new(figure: &'a Figure) -> Self {
         let mut entries: Vec<Entry<'a>> = Vec::new();
         for (i, series) in figure.series.iter().enumerate() {
-            let entry = Entry { text: &series.label, mark: series.mark, colour: series.colour.unwrap_or(i) };
+            let (text, mark) = (series.label.as_str(), Some(series.mark));
+            let entry = Entry { text, mark, colour: series.colour.unwrap_or(i) };
             let is_known =
                 entries.iter().any(|e| (e.text, e.mark, e.colour) == (entry.text, entry.mark, entry.colour));
             if !entry.text.is_empty() && !is_known {
                 entries.push(entry);
             }
         }
+        let bands = figure.bands.iter().filter(|band| !band.label.is_empty());
+        entries.extend(bands.map(|band| Entry { text: &band.label, mark: None, colour: band.colour }));
         Self { entries }
     }
 
@@ -125,12 +128,20 @@ impl Entry<'_> {
     fn draw(&self, canvas: &Canvas<'_>, (x, y): Point) -> Result<(), FigureError> {
         let colour = palette::series(self.colour);
         let middle = [(x + 0.5 * SAMPLE, y)];
-        if self.mark != Mark::Markers {
-            let line = if self.mark == Mark::Dashed { Mark::Dashed } else { Mark::Line };
-            draw_mark(canvas, &[(x, y), (x + SAMPLE, y)], line, colour, self.colour)?;
-        }
-        if matches!(self.mark, Mark::Markers | Mark::LineMarkers) {
-            draw_mark(canvas, &middle, self.mark, colour, self.colour)?;
+        match self.mark {
+            None => {
+                let (from, to) = ((x, y - 6.0), (x + SAMPLE, y + 6.0));
+                canvas.box_filled(from, to, palette::tint(self.colour))?;
+            }
+            Some(mark) => {
+                if mark != Mark::Markers {
+                    let line = if mark == Mark::Dashed { Mark::Dashed } else { Mark::Line };
+                    draw_mark(canvas, &[(x, y), (x + SAMPLE, y)], line, colour, self.colour)?;
+                }
+                if matches!(mark, Mark::Markers | Mark::LineMarkers) {
+                    draw_mark(canvas, &middle, mark, colour, self.colour)?;
+                }
+            }
         }
         canvas.text(self.text, (x + SAMPLE + 8.0, y), SIZE, Anchor::Left, false)
     }

@@ -2,6 +2,7 @@
 
 mod axis;
 mod canvas;
+mod clip;
 mod colour_map;
 mod curves;
 mod field;
@@ -10,8 +11,13 @@ mod legend;
 mod mark;
 mod model;
 mod palette;
+mod sheet;
+mod sketch;
 mod surface;
 mod symbol;
 
 pub use field::{FieldFigure, Panel, View};
-pub use model::{Axis, Figure, FigureError, Mark, Scale, Series, Slope};
+pub use model::{Axis, Band, Figure, FigureError, Mark, Scale, Series, Slope};
+pub use sheet::sheet;
+pub use sketch::{Dimension, Note, Patch, Sketch};
+pub(crate) use surface::outer_faces;

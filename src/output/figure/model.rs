@@ -13,6 +13,8 @@ pub struct Figure {
     pub x: Axis,
     /// The ordinate.
     pub y: Axis,
+    /// Regions drawn below the curves.
+    pub bands: Vec<Band>,
     /// What is drawn, the first below the others.
     pub series: Vec<Series>,
     /// Triangles that show an order of convergence; for two logarithmic axes.
@@ -30,6 +32,8 @@ pub struct Axis {
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
+    /// Values between which something is drawn; what lies beyond is cut off. All values where absent.
+    pub range: Option<(f64, f64)>,
 }
 
 /// How values are laid out along an axis.
@@ -54,6 +58,17 @@ pub struct Series {
     /// Number of its colour, so that a curve and its reference points can share one; the position in
     /// the figure where absent.
     pub colour: Option<usize>,
+}
+
+/// A filled region, as for what was measured.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Band {
+    /// Its line in the legend; an empty one has none.
+    pub label: String,
+    /// Corners in order, SI.
+    pub corners: Vec<(f64, f64)>,
+    /// Number of its colour, of which a tint is drawn.
+    pub colour: usize,
 }
 
 /// How a [`Series`] is drawn.
@@ -107,6 +122,15 @@ pub enum FigureError {
         /// The series named.
         series: usize,
     },
+    /// An axis is asked to reach over a range that is none.
+    Range {
+        /// Label of the axis.
+        axis: String,
+        /// Its start.
+        low: f64,
+        /// Its end.
+        high: f64,
+    },
     /// A frame has no such field or component.
     NoField {
         /// Name of the field.
@@ -141,6 +165,9 @@ impl fmt::Display for FigureError {
                 f,
                 "a slope under series {series} requires two logarithmic axes, two points and an order"
             ),
+            Self::Range { axis, low, high } => {
+                write!(f, "the axis `{axis}` cannot reach from {low:e} to {high:e}")
+            }
             Self::NoField { field, component } => {
                 write!(f, "the frame has no component {component} of a field `{field}`")
             }
@@ -161,16 +188,26 @@ impl Figure {
         if self.series.iter().all(|series| series.points.is_empty()) {
             return Err(FigureError::Empty);
         }
-        for series in &self.series {
-            for (point, &(x, y)) in series.points.iter().enumerate() {
+        let curves = self.series.iter().map(|series| (&series.label, &series.points));
+        let bands = self.bands.iter().map(|band| (&band.label, &band.corners));
+        for (label, points) in curves.chain(bands) {
+            for (point, &(x, y)) in points.iter().enumerate() {
                 for (value, axis) in [(x, &self.x), (y, &self.y)] {
-                    let name = || series.label.clone();
+                    let name = || label.clone();
                     if !value.is_finite() {
                         return Err(FigureError::NotFinite { series: name(), point });
                     }
                     if axis.scale == Scale::Logarithmic && value <= 0.0 {
                         return Err(FigureError::NotPositive { series: name(), point, value });
                     }
+                }
+            }
+        }
+        for axis in [&self.x, &self.y] {
+            if let Some((low, high)) = axis.range {
+                let is_range = low < high && high.is_finite() && low.is_finite();
+                if !is_range || (axis.scale == Scale::Logarithmic && low <= 0.0) {
+                    return Err(FigureError::Range { axis: axis.label.clone(), low, high });
                 }
             }
         }
@@ -190,7 +227,7 @@ mod tests {
     use super::*;
 
     fn figure(points: Vec<(f64, f64)>, scale: Scale) -> Figure {
-        let axis = Axis { label: "h".into(), unit: "m".into(), scale };
+        let axis = Axis { label: "h".into(), unit: "m".into(), scale, range: None };
         let series = vec![Series { label: "u".into(), points, ..Series::default() }];
         Figure { x: axis.clone(), y: axis, series, ..Figure::default() }
     }

@@ -26,3 +26,11 @@ const SERIES: [Colour; 7] = [
 pub(super) fn series(number: usize) -> Colour {
     SERIES[number % SERIES.len()]
 }
+
+/// The colour of series `number` mixed with paper, for regions below curves.
+pub(super) fn tint(number: usize) -> Colour {
+    let (r, g, b) = series(number);
+    // a quarter of the colour, three quarters of paper: at most 255
+    let mixed = |c: u8, paper: u8| ((u16::from(c) + 3 * u16::from(paper)) / 4) as u8;
+    (mixed(r, PAPER.0), mixed(g, PAPER.1), mixed(b, PAPER.2))
+}
