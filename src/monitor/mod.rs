@@ -5,10 +5,12 @@
 
 mod field;
 mod involution;
+mod mean;
 mod motion;
 mod point;
 mod probe;
 mod residual;
+mod roughness;
 mod totals;
 mod twist;
 
@@ -18,4 +20,5 @@ pub use motion::{MotionErrors, motion_errors};
 pub use point::Interpolation;
 pub use probe::{Observer, ProbeError};
 pub use residual::{largest_residual, residual};
+pub use roughness::roughness;
 pub use totals::{Totals, totals};

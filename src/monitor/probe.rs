@@ -4,8 +4,10 @@
 
 use super::field::field_value;
 use super::involution::{Involutions, involutions};
+use super::mean::mean_weights;
 use super::motion::{MotionErrors, motion_errors};
 use super::point::Interpolation;
+use super::roughness::roughness;
 use super::totals::{Totals, totals};
 use super::twist::Layers;
 use crate::expression::Tape;
@@ -158,6 +160,8 @@ impl Observer {
                 weighted(&|body, a| body.stress(a)[(*axis as usize, *normal as usize)])
             }
             Probe::FieldAt { field, .. } => weighted(&|body, a| field_value(body, a, *field)),
+            Probe::Mean { field, .. } => weighted(&|body, a| field_value(body, a, *field)),
+            Probe::Roughness(field) => roughness(bodies, *field),
             Probe::FieldMax(field) => self.extreme(bodies, *field, |new, old| new > old),
             Probe::FieldMin(field) => self.extreme(bodies, *field, |new, old| new < old),
             Probe::KineticEnergy => sums.kinetic_energy,
@@ -185,20 +189,10 @@ impl Observer {
 
     /// Extreme of a field over the particles and their mirror images.
     fn extreme(&self, bodies: &[BodyState], field: Field, better: fn(f64, f64) -> bool) -> f64 {
-        let is_odd = (0..3).any(|plane| self.symmetry[plane].is_some() && flips(field, plane));
+        let is_odd = (0..3).any(|plane| self.symmetry[plane].is_some() && field.flips(plane));
         let values = bodies.iter().flat_map(|body| (0..body.len()).map(move |a| field_value(body, a, field)));
         let images = values.flat_map(|value| [value, if is_odd { -value } else { value }]);
         images.reduce(|old, new| if better(new, old) || new.is_nan() { new } else { old }).unwrap_or(f64::NAN)
-    }
-}
-
-/// Whether a mirror normal to an axis flips the sign of a field.
-fn flips(field: Field, axis: usize) -> bool {
-    let is = |index: u8| usize::from(index) == axis;
-    match field {
-        Field::Displacement(i) | Field::Velocity(i) => is(i),
-        Field::Sigma(i, j) | Field::P(i, j) | Field::F(i, j) => is(i) != is(j),
-        Field::VonMises | Field::Pressure | Field::J => false,
     }
 }
 
@@ -245,6 +239,11 @@ fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepare
             let shape = &scene.bodies[*body].shape;
             let normal = face.as_ref().and_then(|face| shape.face_normal(face)).map(|normal| normal.iamax());
             Prepared::Images(images(&scene.symmetry, normal, *axis as usize))
+        }
+        Probe::Mean { body, field, weight } => {
+            let planes = scene.symmetry.each_ref().map(|plane| plane.as_ref().map(|plane| plane.at));
+            let weights = mean_weights(&bodies[*body].particles, planes, *field, weight);
+            Prepared::Weighted { body: *body, weights, factor: 1.0 }
         }
         _ => Prepared::Plain,
     })

@@ -209,6 +209,11 @@ fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, S
                 varied.iter().map(|name| column_of(tables, record, name)).collect::<Result<_, _>>()?;
             order(&varied, &values, *between_neighbours).map_err(|reason| format!("{reason} in `{column}`"))
         }
+        Sample::Integral { record, column } => {
+            let (x, y) = (order_of(tables, record)?, column_of(tables, record, column)?);
+            let strips = x.windows(2).zip(y.windows(2));
+            Ok(strips.map(|(x, y)| 0.5 * (x[1] - x[0]) * (y[0] + y[1])).sum())
+        }
         Sample::Column { record, column } => {
             let at = at.ok_or_else(|| format!("`{record}.{column}` needs an `at`"))?;
             let y = column_of(tables, record, column)?;

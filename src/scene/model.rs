@@ -26,6 +26,8 @@ pub struct Document {
     pub drives: Vec<super::Drive>,
     /// Sweeps and trades in order.
     pub sweeps: Vec<super::Sweep>,
+    /// Figures in order.
+    pub figures: Vec<super::FigureOf>,
 }
 
 /// A hyperelastic material.
@@ -441,6 +443,17 @@ pub enum Probe {
         /// The field.
         field: Field,
     },
+    /// Mean of a field over a body, weighted by place.
+    Mean {
+        /// The body.
+        body: usize,
+        /// The field.
+        field: Field,
+        /// The weight, a number.
+        weight: Tape<Coordinate>,
+    },
+    /// How much a field alternates from particle to particle.
+    Roughness(Field),
     /// Largest value of a field over all particles.
     FieldMax(Field),
     /// Smallest value of a field over all particles.
@@ -553,6 +566,8 @@ pub struct Plot {
     pub curves: Vec<Curve>,
     /// Reference points.
     pub points: Vec<ReferenceCurve>,
+    /// Everything else.
+    pub picture: super::Picture,
 }
 
 /// One record column over another.
@@ -687,6 +702,13 @@ pub enum Sample {
         varied: Vec<String>,
         /// Whether it is the smallest between neighbours instead of the least-squares one over all.
         between_neighbours: bool,
+    },
+    /// Integral of a column over time, by the trapezoidal rule.
+    Integral {
+        /// The record.
+        record: String,
+        /// The column.
+        column: String,
     },
     /// Last value of a column.
     Final {

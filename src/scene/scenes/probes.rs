@@ -1,10 +1,13 @@
 //! What a record can ask of the state.
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Required, Scope, Value};
-use super::super::file::{File, Reported};
-use super::super::model::{Field, MotionField, Probe};
+use super::super::file::{File, Mistakes, Reported};
+use super::super::model::{Coordinate, Field, MotionField, Probe};
 use super::super::words::{FIELD_WORDS, PROBES};
 use super::faces::Bodies;
+use super::scope::SceneScope;
+use super::tables::Tables;
+use crate::expression::Tape;
 use crate::schema::nearest;
 use crate::syntax::{Argument, Code, ExprId, ExprKind, Name};
 use crate::unit::{Dimension, Quantity};
@@ -64,14 +67,26 @@ impl Scope<Probe> for ProbeScope<'_> {
             ("reaction", 1) => Some(self.reaction(evaluator, outer, arguments)),
             ("impulse", 1) => Some(self.impulse(evaluator, outer, arguments)),
             ("section_force", _) => Some(self.section_force(evaluator, outer, function, arguments)),
+            ("mean", _) => Some(self.mean(evaluator, outer, function, arguments)),
+            ("roughness", 1) => {
+                let found = written_field(evaluator.mistakes, outer.file(), arguments[0].value);
+                Some(found.map(|(field, _)| {
+                    Value::scalar(evaluator.graph.leaf(Probe::Roughness(field)), Dimension::NUMBER)
+                }))
+            }
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
             ("error", 1) => Some(self.error(evaluator, outer.file(), arguments)),
             ("max" | "min", 1) => {
-                Some(field(evaluator, outer.file(), arguments[0].value).map(|(field, dimension)| {
-                    let probe =
-                        if function.text == "max" { Probe::FieldMax(field) } else { Probe::FieldMin(field) };
-                    Value::scalar(evaluator.graph.leaf(probe), dimension)
-                }))
+                Some(written_field(evaluator.mistakes, outer.file(), arguments[0].value).map(
+                    |(field, dimension)| {
+                        let probe = if function.text == "max" {
+                            Probe::FieldMax(field)
+                        } else {
+                            Probe::FieldMin(field)
+                        };
+                        Value::scalar(evaluator.graph.leaf(probe), dimension)
+                    },
+                ))
             }
             _ => None,
         }
@@ -314,14 +329,57 @@ impl ProbeScope<'_> {
         let [body, point, value] = arguments else { return Err(self.form(evaluator, file, function)) };
         let body = self.bodies.body_of(evaluator.mistakes, file, body.value);
         let point = self.point(evaluator, outer, point.value, body);
-        let value = field(evaluator, file, value.value);
+        let value = written_field(evaluator.mistakes, file, value.value);
         let (body, point, (field, dimension)) = (body?, point?, value?);
         Ok(Value::scalar(evaluator.graph.leaf(Probe::FieldAt { body, point, field }), dimension))
     }
 }
 
+impl ProbeScope<'_> {
+    /// `mean(body, displacement.z, weight = …)`.
+    fn mean(
+        &self,
+        evaluator: &mut Evaluator<Probe>,
+        outer: &dyn Scope<Probe>,
+        function: &Name,
+        arguments: &[Argument],
+    ) -> Outcome {
+        let file = outer.file();
+        let (body, value, weight) = match arguments {
+            [body, value] => (body, value, None),
+            [body, value, weight] => (body, value, Some(weight)),
+            _ => return Err(self.form(evaluator, file, function)),
+        };
+        let is_weight =
+            |argument: &Argument| argument.name.as_ref().is_some_and(|path| path.parts[0].text == "weight");
+        if body.name.is_some() || value.name.is_some() || weight.is_some_and(|weight| !is_weight(weight)) {
+            return Err(self.form(evaluator, file, function));
+        }
+        let body = self.bodies.body_of(evaluator.mistakes, file, body.value);
+        let (field, dimension) = written_field(evaluator.mistakes, file, value.value)?;
+        let weight = match weight {
+            None => Tape::constant(1.0),
+            Some(weight) => {
+                let tables = Tables::new();
+                let lets = self.lets.fresh();
+                let scope = SceneScope { file, lets, tables: &tables, place: true, time: false };
+                let mut over_place = Evaluator::<Coordinate>::new(evaluator.mistakes);
+                let required = Required { name: "weight", dimension: Dimension::NUMBER };
+                let scalar = over_place.quantity(&scope, weight.value, required)?;
+                over_place.tape(scalar)
+            }
+        };
+        let probe = Probe::Mean { body: body?, field, weight };
+        Ok(Value::scalar(evaluator.graph.leaf(probe), dimension))
+    }
+}
+
 /// A field of the particles, `sigma.xx`, and its dimension.
-fn field(evaluator: &mut Evaluator<Probe>, file: &File, id: ExprId) -> Result<(Field, Dimension), Reported> {
+pub(super) fn written_field(
+    mistakes: &mut Mistakes,
+    file: &File,
+    id: ExprId,
+) -> Result<(Field, Dimension), Reported> {
     let written = file.expression(id);
     let (word, component) = written.split_once('.').unwrap_or((written, ""));
     let axis = AXES.iter().position(|axis| *axis == component).map(|axis| axis as u8);
@@ -351,6 +409,6 @@ fn field(evaluator: &mut Evaluator<Probe>, file: &File, id: ExprId) -> Result<(F
         // A field may be called by an expression of any form; what stands there is marked whole.
         let name = matches!(file.tree.expr(id).kind, ExprKind::Name(_) | ExprKind::Member { .. });
         let code = if name { Code::UnknownName } else { Code::WrongForm };
-        evaluator.mistakes.report(file, code, file.span(id), message, "", Some(help))
+        mistakes.report(file, code, file.span(id), message, "", Some(help))
     })
 }

@@ -6,9 +6,10 @@ use super::super::model::Sample;
 use super::super::words::SAMPLES;
 use super::motions::RESIDUAL;
 use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
+use super::records::TIME;
 use super::stage::Records;
 use super::tables::Tables;
-use crate::syntax::{Argument, ExprId, ExprKind, Name, Span};
+use crate::syntax::{Argument, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::Dimension;
 use std::rc::Rc;
 
@@ -61,6 +62,7 @@ impl Scope<Sample> for SampleScope<'_> {
             "max" => |record, column| Sample::Max { record, column },
             "min" => |record, column| Sample::Min { record, column },
             "initial" => |record, column| Sample::Initial { record, column },
+            "integral" => |record, column| Sample::Integral { record, column },
             "final" => |record, column| Sample::Final { record, column },
             "residual" => return Some(self.residual(evaluator, argument.value)),
             "order" | "least_order" if !self.varied.is_empty() => {
@@ -74,6 +76,15 @@ impl Scope<Sample> for SampleScope<'_> {
         };
         Some(column_name(evaluator.mistakes, self.file, argument.value).and_then(|name| {
             let dimension = column_dimension(evaluator.mistakes, self.records, self.file, &name)?;
+            let over_time = function.text == "integral";
+            if over_time
+                && !self.records.get(&name.table.text).is_some_and(|columns| columns.contains_key(TIME))
+            {
+                let message = format!("`{}` has no time to integrate over", name.table.text);
+                let span = name.table.span;
+                return Err(evaluator.mistakes.report(self.file, Code::WrongForm, span, message, "", None));
+            }
+            let dimension = if over_time { dimension * Dimension::TIME } else { dimension };
             let leaf = evaluator.graph.leaf(sample(name.table.text, name.column.text));
             Ok(Value::scalar(leaf, dimension))
         }))

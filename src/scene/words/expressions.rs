@@ -159,6 +159,18 @@ pub(in crate::scene) static PROBES: &[Word] = &[
         "Force carried through a plane of the reference configuration.",
     ),
     word("at", "at(body, [X, Y, Z], sigma.xx)", RECORD, "A field at a reference point."),
+    word(
+        "mean",
+        "mean(body, displacement.z, weight = if(r <= 0.8 m, 1, 0))",
+        RECORD,
+        "Mean of a field over a body in the reference configuration, weighted by a function of place (everywhere 1 without `weight`).",
+    ),
+    word(
+        "roughness",
+        "roughness(pressure)",
+        RECORD,
+        "Share of a field's variation that a linear fit to each particle's neighbours does not explain: 0 linear, about 1 without order, 0.9 a checkerboard.",
+    ),
     word("kinetic_energy", "kinetic_energy", RECORD, "Kinetic energy."),
     word("strain_energy", "strain_energy", RECORD, "Strain energy."),
     word("total_energy", "total_energy", RECORD, "Kinetic and strain energy."),
@@ -201,6 +213,12 @@ pub(in crate::scene) static SAMPLES: &[Word] = &[
     word("max", "max(record.column)", EXPECT, "Largest value of a column."),
     word("min", "min(record.column)", EXPECT, "Smallest value of a column."),
     word("initial", "initial(record.column)", EXPECT, "First value of a column."),
+    word(
+        "integral",
+        "integral(record.column)",
+        EXPECT,
+        "Integral of a column over time by the trapezoidal rule: exact for a force where every step is a row.",
+    ),
     word("final", "final(record.column)", EXPECT, "Last value of a column."),
     word(
         "residual",
