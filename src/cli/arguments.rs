@@ -29,6 +29,8 @@ pub enum Command {
     Trade(RunOptions),
     /// Hold every claim and expect line against its bound, with a control that must fail
     Verify(VerifyOptions),
+    /// Make the figures: run what they need, write their tables, draw them from these
+    Figures(FiguresOptions),
     /// Explain a word of the language
     Explain(ExplainOptions),
     /// Lay out files in the standard form
@@ -105,6 +107,35 @@ pub struct VerifyOptions {
     /// Replace the JSON file if it exists
     #[arg(long)]
     pub overwrite: bool,
+}
+
+/// Options of `figures`.
+#[derive(Debug, Args)]
+pub struct FiguresOptions {
+    /// Only these figures, by number: --only 2,8
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    pub only: Vec<u32>,
+    /// The quick tier: coarse and short runs, for a look at the form
+    #[arg(long)]
+    pub quick: bool,
+    /// Run nothing: draw again from the tables that are there
+    #[arg(long, conflicts_with = "quick")]
+    pub redraw: bool,
+    /// Folder of the figures; their tables are written to tables/ below it
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    pub out: PathBuf,
+    /// Folder of the files that describe them
+    #[arg(long, value_name = "DIR", default_value = "specs/figures")]
+    pub from: PathBuf,
+    /// Folder of the runs; one whose input and program are unchanged is not run again
+    #[arg(long, value_name = "DIR", default_value = "out/figures")]
+    pub runs: PathBuf,
+    /// Threads to compute on; results do not depend on it [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 /// Options of `explain`.

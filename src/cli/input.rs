@@ -2,7 +2,9 @@
 
 use super::Exit;
 use crate::output::provenance;
-use crate::scene::{Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, Sweep, resolve};
+use crate::scene::{
+    Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, Sweep, resolve, resolve_runs,
+};
 use crate::syntax::Source;
 use std::cell::RefCell;
 use std::path::Path;
@@ -44,6 +46,13 @@ impl Loader for Remembering {
 /// # Errors
 /// If the file itself cannot be read; mistakes in it are in the input.
 pub fn read(path: &Path, overrides: &[(String, String)]) -> Result<Input, String> {
+    read_with(path, overrides, resolve)
+}
+
+/// How a text becomes a document.
+type Resolver = fn(&Source, &dyn Loader, &[(String, String)]) -> (Document, Vec<Mistake>);
+
+fn read_with(path: &Path, overrides: &[(String, String)], resolve: Resolver) -> Result<Input, String> {
     let name = path.to_string_lossy().into_owned();
     let text = FileSystem.load(&name).map_err(|cause| format!("error: cannot read {name}: {cause}"))?;
     let loader = Remembering { read: RefCell::default() };
@@ -62,7 +71,19 @@ pub fn read(path: &Path, overrides: &[(String, String)]) -> Result<Input, String
 /// # Errors
 /// [`Exit::WrongInput`] after printing why.
 pub fn read_or_explain(path: &Path, overrides: &[(String, String)]) -> Result<Input, Exit> {
-    let input = read(path, overrides).map_err(|message| {
+    sound(read(path, overrides))
+}
+
+/// The same of a file's scenes and drives alone, without what must hold of them.
+///
+/// # Errors
+/// As [`read_or_explain`].
+pub fn read_runs_or_explain(path: &Path, overrides: &[(String, String)]) -> Result<Input, Exit> {
+    sound(read_with(path, overrides, resolve_runs))
+}
+
+fn sound(input: Result<Input, String>) -> Result<Input, Exit> {
+    let input = input.map_err(|message| {
         eprintln!("{message}");
         Exit::WrongInput
     })?;

@@ -23,6 +23,7 @@ mod arguments;
 mod check;
 mod drive;
 mod explain;
+mod figures;
 mod folder;
 mod format;
 mod input;
@@ -69,6 +70,7 @@ pub fn main() -> ExitCode {
         Command::Run(options) => run::run(&options),
         Command::Trade(options) => run::trade(&options),
         Command::Verify(options) => verify::verify(&options),
+        Command::Figures(options) => figures::figures(&options),
         Command::Explain(options) => explain::explain(&options),
         Command::Fmt(options) => format::format(&options),
     };

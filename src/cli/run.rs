@@ -204,7 +204,7 @@ pub(super) fn draw(
     provenance: &Provenance,
     folder: &Path,
 ) -> (Vec<String>, bool) {
-    write_figures(figures(title, plots, tables, provenance), folder)
+    write_figures(figures(title, plots, tables, provenance, Some(folder)), folder)
 }
 
 /// Writes figures into a folder: the files written, and whether all were.

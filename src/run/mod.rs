@@ -21,7 +21,7 @@ pub use drive::{DriveJob, DriveOutcome, drive};
 pub use error::RunError;
 pub use execute::{Job, Outcome, Progress, execute};
 pub use expect::{control, judge, judge_all};
-pub use figure::figures;
+pub use figure::{Results, RunResults, draw_figure, extract_figure, figures, table_names};
 pub use interpolate::{crossing, reference_value};
 pub use order::order;
 pub use sweep::{SweepJob, SweepOutcome, side_by_side, sweep};

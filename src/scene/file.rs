@@ -101,13 +101,16 @@ impl Mistakes {
         self.push(file, diagnostic)
     }
 
-    /// Adds mistakes found elsewhere.
-    pub(super) fn extend(&mut self, found: impl IntoIterator<Item = Mistake>) {
+    /// Adds mistakes found elsewhere; whether there are any.
+    pub(super) fn extend(&mut self, found: impl IntoIterator<Item = Mistake>) -> bool {
+        let mut any = false;
         for mistake in found {
+            any = true;
             if !self.list.contains(&mistake) {
                 self.list.push(mistake);
             }
         }
+        any
     }
 
     /// The number of mistakes so far.

@@ -3,9 +3,9 @@
 use super::file::Mistake;
 use super::loader::{Loader, Once};
 use super::model::Document;
-use super::session::Session;
+use super::session::{Session, Wanted};
 use super::sweeps::Setting;
-use super::{drives, scenes, sweeps};
+use super::{drives, figures, scenes, sweeps};
 use crate::syntax::{Item, Source};
 
 /// The meaning of a file, and every mistake found in it and in the files it imports.
@@ -19,8 +19,28 @@ pub fn resolve(
     loader: &dyn Loader,
     overrides: &[(String, String)],
 ) -> (Document, Vec<Mistake>) {
+    read(source, loader, overrides, Wanted::All)
+}
+
+/// The same without figures, sweeps and `expect` lines: what a figure takes its numbers from. The quick tier of a
+/// figure may end before a line asks for a value.
+pub fn resolve_runs(
+    source: &Source,
+    loader: &dyn Loader,
+    overrides: &[(String, String)],
+) -> (Document, Vec<Mistake>) {
+    read(source, loader, overrides, Wanted::Runs)
+}
+
+fn read(
+    source: &Source,
+    loader: &dyn Loader,
+    overrides: &[(String, String)],
+    wanted: Wanted,
+) -> (Document, Vec<Mistake>) {
     let loader = &Once::new(loader);
     let mut session = Session::new(loader, overrides);
+    session.wanted = wanted;
     let file = session.parse(source.clone());
     let module = session.module(&file);
     let mut document = Document::default();
@@ -40,6 +60,11 @@ pub fn resolve(
             "scene" => {
                 scenes::read(&mut session, &file, block, name, &module).map(|s| document.scenes.push(s))
             }
+            "figure" => match wanted {
+                Wanted::All => figures::read(&mut session, &file, block, name, &module)
+                    .map(|figure| document.figures.push(figure)),
+                Wanted::Runs => Ok(()),
+            },
             _ => {
                 sweeps.push((block, name));
                 Ok(())
@@ -50,7 +75,7 @@ pub fn resolve(
         }
     }
     // After all they can be of, wherever these stand.
-    for (block, name) in sweeps {
+    for (block, name) in sweeps.into_iter().filter(|_| wanted == Wanted::All) {
         let setting = Setting { loader, overrides, document: &document, broken: &broken };
         let sweep = sweeps::read(&mut session, &file, block, name, &module, &setting);
         document.sweeps.extend(sweep);

@@ -28,11 +28,22 @@ pub(super) struct Module {
     pub(super) rest: Vec<usize>,
 }
 
+/// What of a file is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Everything.
+    All,
+    /// Scenes and drives without what must hold of them, and no figures.
+    Runs,
+}
+
 /// The files of one resolution.
 pub(super) struct Session<'a> {
     pub(super) loader: &'a dyn Loader,
     pub(super) mistakes: Mistakes,
     pub(super) overrides: Overrides,
+    /// What is read of the blocks.
+    pub(super) wanted: Wanted,
     /// By name; `None` while the file is being read.
     modules: BTreeMap<String, Option<Rc<Module>>>,
     /// The files being read, outermost first.
@@ -46,12 +57,13 @@ impl<'a> Session<'a> {
         let mut mistakes = Mistakes::default();
         let overrides = Overrides::read(&mut mistakes, overrides);
         let parsed = Rc::new(RefCell::default());
-        Self { loader, mistakes, overrides, modules: BTreeMap::new(), path: Vec::new(), parsed }
+        let wanted = Wanted::All;
+        Self { loader, mistakes, overrides, wanted, modules: BTreeMap::new(), path: Vec::new(), parsed }
     }
 
     /// A session over the same texts that has found nothing yet.
     pub(super) fn again<'b>(&self, loader: &'b dyn Loader, overrides: &[(String, String)]) -> Session<'b> {
-        Session { parsed: Rc::clone(&self.parsed), ..Session::new(loader, overrides) }
+        Session { parsed: Rc::clone(&self.parsed), wanted: self.wanted, ..Session::new(loader, overrides) }
     }
 
     /// Parses a text; its mistakes are reported.
@@ -93,7 +105,7 @@ impl<'a> Session<'a> {
         for (index, item) in file.tree.items.iter().enumerate() {
             let Item::Block(block) = item else { continue };
             let kind = block.kind.text.as_str();
-            if !matches!(kind, "energy" | "material" | "scene" | "drive" | "sweep" | "trade") {
+            if !matches!(kind, "energy" | "material" | "scene" | "drive" | "sweep" | "trade" | "figure") {
                 unknown_block(&mut self.mistakes, file, block, None);
                 continue;
             }

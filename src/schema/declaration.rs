@@ -104,6 +104,12 @@ pub enum Kind {
     Energy,
     /// `record.column over record.column`, or a list of such.
     Curve,
+    /// A text in quotes.
+    Text,
+    /// Two quantities of one dimension: `[0 mm, 2 mm]`.
+    Range,
+    /// Values in place of those of a file: `set(strip.spacing = 0.5 mm)`.
+    Settings,
     /// An expression whose form the block itself explains.
     Expression,
 }

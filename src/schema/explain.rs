@@ -113,6 +113,9 @@ pub(super) fn kind_text(kind: Kind) -> String {
         Kind::Shape => "a shape, such as box(10 mm, 3 mm, 0.5 mm)".into(),
         Kind::Energy => "an energy with its parameters, or a sum of several".into(),
         Kind::Curve => "record.column over record.column, or a list of such".into(),
+        Kind::Text => "a text in quotes".into(),
+        Kind::Range => "two quantities, [low, high]".into(),
+        Kind::Settings => "values by path, such as set(strip.spacing = 0.5 mm)".into(),
         Kind::Expression => "an expression".into(),
     }
 }

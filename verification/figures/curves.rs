@@ -45,6 +45,11 @@ fn worst(factor: f64) -> f64 {
 
 /// Coordinates of the polyline of most points: gridlines have two.
 fn longest_polyline(svg: &str) -> Vec<(f64, f64)> {
+    polylines(svg).into_iter().max_by_key(Vec::len).unwrap_or_default()
+}
+
+/// Coordinates of all polylines and polygons.
+pub(super) fn polylines(svg: &str) -> Vec<Vec<(f64, f64)>> {
     let lists = svg.split("points=\"").skip(1).filter_map(|rest| rest.split('"').next());
     let parse = |list: &str| -> Vec<(f64, f64)> {
         let pair = |word: &str| {
@@ -53,5 +58,5 @@ fn longest_polyline(svg: &str) -> Vec<(f64, f64)> {
         };
         list.split_whitespace().filter_map(pair).collect()
     };
-    lists.map(parse).max_by_key(Vec::len).unwrap_or_default()
+    lists.map(parse).collect()
 }

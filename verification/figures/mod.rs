@@ -3,6 +3,7 @@
 use super::Claim;
 
 mod curves;
+mod dimensions;
 
 /// The claims of this directory, in the order of the report.
-pub(crate) const CLAIMS: &[Claim] = &[curves::DRAWN_AS_TABULATED];
+pub(crate) const CLAIMS: &[Claim] = &[curves::DRAWN_AS_TABULATED, dimensions::DRAWN_TO_SCALE];

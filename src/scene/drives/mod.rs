@@ -15,7 +15,7 @@ use super::members::Members;
 use super::model::{Coordinate, Material};
 use super::model_drive::{Drive, Path, PathControl, PointRecord, VolumeChange};
 use super::scenes::Stage;
-use super::session::{Module, Session};
+use super::session::{Module, Session, Wanted};
 use super::words::DRIVE;
 use crate::expression::{Node, Tape};
 use crate::syntax::{Block, Code, Name};
@@ -32,7 +32,7 @@ pub(super) fn read(
     name: &Name,
     module: &Module,
 ) -> Result<Drive, Reported> {
-    let before = session.mistakes.len();
+    let (before, wanted) = (session.mistakes.len(), session.wanted);
     let members =
         Members::read_with(&mut session.mistakes, file, &DRIVE, block, &session.overrides, &[&name.text]);
     let mut stage = Stage::new(session, file, name, module, &members);
@@ -55,7 +55,7 @@ pub(super) fn read(
         for inner in members.blocks.iter().filter(|inner| inner.kind.text == "plot") {
             let _ = stage.plot(inner);
         }
-        for entry in &members.expects {
+        for entry in members.expects.iter().filter(|_| wanted == Wanted::All) {
             let _ = stage.expectation(entry);
         }
     }

@@ -28,7 +28,7 @@ use super::blocks::unknown_block;
 use super::file::{File, Reported};
 use super::members::Members;
 use super::model::Scene;
-use super::session::{Module, Session};
+use super::session::{Module, Session, Wanted};
 use super::words::SCENE;
 use crate::syntax::{Block, Name};
 pub(super) use plots::{column_dimension, column_name, listed};
@@ -68,7 +68,7 @@ pub(super) fn read(
     name: &Name,
     module: &Module,
 ) -> Result<Scene, Reported> {
-    let before = session.mistakes.len();
+    let (before, wanted) = (session.mistakes.len(), session.wanted);
     let members = Members::read(&mut session.mistakes, file, &SCENE, block);
     let mut stage = Stage::new(session, file, name, module, &members);
     for inner in &members.blocks {
@@ -100,7 +100,7 @@ pub(super) fn read(
             };
         }
     }
-    for entry in &members.expects {
+    for entry in members.expects.iter().filter(|_| wanted == Wanted::All) {
         let _ = stage.expectation(entry);
     }
     let scene = stage.finish(block);

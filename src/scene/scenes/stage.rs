@@ -52,6 +52,10 @@ pub(in crate::scene) struct Stage<'a> {
     pub(super) run: Option<Run>,
     pub(super) run_seen: Option<Name>,
     pub(super) single: BTreeMap<String, Name>,
+    /// Scenes of the sources of a figure.
+    pub(in crate::scene) sources: BTreeMap<String, Scene>,
+    /// Names of the sources of a figure.
+    pub(in crate::scene) source_names: BTreeMap<String, Name>,
     pub(in crate::scene) scene: Scene,
 }
 
@@ -84,6 +88,8 @@ impl<'a> Stage<'a> {
             run: None,
             run_seen: None,
             single: BTreeMap::new(),
+            sources: BTreeMap::new(),
+            source_names: BTreeMap::new(),
             scene: Scene {
                 name: name.text.clone(),
                 place: file.place(&name.span),

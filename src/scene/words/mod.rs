@@ -6,6 +6,7 @@
 mod body;
 mod drive;
 mod expressions;
+mod figure;
 mod later;
 mod law;
 mod load;
@@ -21,6 +22,7 @@ pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
 pub(super) use expressions::{
     ENERGY_WORDS, FIELD_WORDS, FILE_SHAPES, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES,
 };
+pub(super) use figure::{BAND, DIMENSION, DISC, FIGURE, NOTE, OUTLINE, PANEL, SERIES, SOURCE};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, START, TRACTION};
 pub(super) use motion::MOTION;
@@ -49,6 +51,16 @@ static BLOCKS: &[&Declaration] = &[
     &RECORD,
     &FRAMES,
     &PLOT,
+    &SERIES,
+    &BAND,
+    &PANEL,
+    &OUTLINE,
+    &DISC,
+    &DIMENSION,
+    &NOTE,
+    &FIGURE,
+    &SOURCE,
+    &observe::FIGURE_PLOT,
     &DRIVE,
     &POINT_RECORD,
     &drive::POINT_PLOT,

@@ -61,24 +61,18 @@ pub(in crate::scene) static FRAMES: Declaration = Declaration {
 /// `plot name { … }`
 pub(in crate::scene) static PLOT: Declaration = Declaration {
     word: "plot",
-    doc: "A figure of recorded columns, drawn from the tables alone.",
+    doc: "A picture drawn from the tables and frames alone: curves, fields on deformed bodies (`panel`), or a drawing with dimensions (`outline`).",
     within: Some("scene"),
     target: Target::Name,
-    keys: &[
-        Parameter {
-            name: "curve",
-            kind: Kind::Curve,
-            presence: Presence::Required("curve = pull.F over pull.d"),
-            doc: "What is drawn as a line.",
-        },
-        Parameter {
-            name: "points",
-            kind: Kind::Curve,
-            presence: Presence::Default("none"),
-            doc: "Reference data drawn as markers: columns of a csv(…).",
-        },
-    ],
+    keys: super::figure::PLOT_KEYS,
     members: &[],
     example: "plot force { curve = pull.F over pull.d }",
     available: true,
+};
+
+/// `plot name { … }` in a figure
+pub(super) static FIGURE_PLOT: Declaration = Declaration {
+    within: Some("figure"),
+    example: "plot force { curve = axial.pull.F over axial.pull.d }",
+    ..PLOT
 };

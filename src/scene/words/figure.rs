@@ -1,0 +1,242 @@
+//! `figure`, its sources, and what stands in a `plot`.
+
+use crate::schema::{Choice, Declaration, Kind, Member, Parameter, Presence, Target};
+
+const fn optional(name: &'static str, kind: Kind, without: &'static str, doc: &'static str) -> Parameter {
+    Parameter { name, kind, presence: Presence::Default(without), doc }
+}
+
+const fn required(name: &'static str, kind: Kind, example: &'static str, doc: &'static str) -> Parameter {
+    Parameter { name, kind, presence: Presence::Required(example), doc }
+}
+
+/// `figure name { … }`
+pub(in crate::scene) static FIGURE: Declaration = Declaration {
+    word: "figure",
+    doc: "A numbered figure drawn from the tables and frames of one or several runs; `tissue figures` makes it.",
+    within: None,
+    target: Target::Name,
+    keys: &[
+        required("number", Kind::Count, "number = 1", "Its number, also the beginning of its files' names."),
+        required("title", Kind::Text, "title = \"Force over displacement\"", "What it shows, one line."),
+        optional("columns", Kind::Count, "2", "Pictures in a row, where it has several plots."),
+    ],
+    members: &[Member::Let],
+    example: "figure forces {\n  number = 8\n  title  = \"Force over displacement\"\n  source axial { file = \"../artery/axial.tissue\"  scene = axial }\n  plot force { curve = axial.pull.F over axial.pull.d }\n}",
+    available: true,
+};
+
+/// `source name { … }`
+pub(in crate::scene) static SOURCE: Declaration = Declaration {
+    word: "source",
+    doc: "A run whose results the figure shows: its tables and frames are called `source.record`.",
+    within: Some("figure"),
+    target: Target::Name,
+    keys: &[
+        required("file", Kind::Text, "file = \"../artery/axial.tissue\"", "The file, relative to this one."),
+        required("scene", Kind::Expression, "scene = axial", "The scene or drive of that file."),
+        optional(
+            "full",
+            Kind::Settings,
+            "set()",
+            "Values in place of those written there, as `--set` gives them.",
+        ),
+        optional(
+            "quick",
+            Kind::Settings,
+            "those of `full`",
+            "Further values for `tissue figures --quick`: coarse and short.",
+        ),
+    ],
+    members: &[],
+    example: "source axial { file = \"../artery/axial.tissue\"  scene = axial  quick = set(strip.spacing = 0.5 mm) }",
+    available: true,
+};
+
+const VIEWS: &[Choice] = &[
+    Choice { word: "xy", doc: "x to the right, y upwards" },
+    Choice { word: "xz", doc: "x to the right, z upwards" },
+    Choice { word: "yz", doc: "y to the right, z upwards" },
+    Choice { word: "oblique", doc: "from above one side: x mostly to the right, z upwards, y into the page" },
+    Choice {
+        word: "corner",
+        doc: "from the origin of a quarter model: its two planes of symmetry and its top",
+    },
+];
+
+const AXES: &[Choice] = &[
+    Choice { word: "x", doc: "the plane normal to x" },
+    Choice { word: "y", doc: "the plane normal to y" },
+    Choice { word: "z", doc: "the plane normal to z" },
+];
+
+/// Keys of a `plot`.
+pub(super) const PLOT_KEYS: &[Parameter] = &[
+    optional("curve", Kind::Curve, "none", "What is drawn as a line."),
+    optional("points", Kind::Curve, "none", "Reference data drawn as markers: columns of a csv(…)."),
+    optional("title", Kind::Text, "the scene's name and the plot's", "Line above the picture."),
+    optional("x_label", Kind::Text, "the column's name", "What the abscissa is; the unit is added."),
+    optional("y_label", Kind::Text, "the column's name", "What the ordinate is; the unit is added."),
+    optional("x_range", Kind::Range, "all values", "Ends of the abscissa; what lies beyond is cut off."),
+    optional("y_range", Kind::Range, "all values", "Ends of the ordinate; what lies beyond is cut off."),
+    optional("field", Kind::Expression, "none", "The field the panels are coloured by: `field = sigma.xx`."),
+    optional("label", Kind::Text, "the field as written", "What the colours mean; the unit is added."),
+    optional(
+        "range",
+        Kind::Range,
+        "the values seen",
+        "Values at the ends of the colour bar; beyond, the colour stays that of the end.",
+    ),
+    optional("view", Kind::Choice(VIEWS), "xy", "From where bodies are seen."),
+    optional(
+        "mirror",
+        Kind::Choices(AXES),
+        "all planes of symmetry",
+        "Planes of symmetry at which the image is added: `mirror = []` shows the part that is modelled.",
+    ),
+    optional("columns", Kind::Count, "1", "Panels in a row."),
+];
+
+const MARKS: &[Choice] = &[
+    Choice { word: "line", doc: "a line" },
+    Choice { word: "dashed", doc: "a dashed line" },
+    Choice { word: "markers", doc: "hollow markers" },
+    Choice { word: "line_markers", doc: "a line with full markers" },
+];
+
+/// In the order of the palette.
+const COLOURS: &[Choice] = &[
+    Choice { word: "blue", doc: "blue, circles" },
+    Choice { word: "vermilion", doc: "vermilion, squares" },
+    Choice { word: "green", doc: "bluish green, triangles" },
+    Choice { word: "purple", doc: "reddish purple, diamonds" },
+    Choice { word: "orange", doc: "orange, circles" },
+    Choice { word: "sky", doc: "sky blue, squares" },
+    Choice { word: "black", doc: "black, triangles" },
+];
+
+/// `series name { … }`
+pub(in crate::scene) static SERIES: Declaration = Declaration {
+    word: "series",
+    doc: "A curve or a set of points, of a record or of a csv(…).",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required("draw", Kind::Curve, "draw = pull.F over pull.d", "One column over another."),
+        optional("label", Kind::Text, "none", "Its line in the legend."),
+        optional("mark", Kind::Choice(MARKS), "line, markers for a csv(…)", "How it is drawn."),
+        optional("colour", Kind::Choice(COLOURS), "the next of the palette", "Its colour and markers."),
+    ],
+    members: &[],
+    example: "series reference { draw = fe.F over fe.d  label = \"finite elements\"  mark = markers  colour = blue }",
+    available: true,
+};
+
+/// `band name { … }`
+pub(in crate::scene) static BAND: Declaration = Declaration {
+    word: "band",
+    doc: "A filled region behind the curves, as for a measured range.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required(
+            "corners",
+            Kind::Expression,
+            "corners = [[1.37, 13.2 MPa], [1.71, 13.2 MPa], [1.71, 30 MPa], [1.37, 30 MPa]]",
+            "Abscissa and ordinate of its corners in order.",
+        ),
+        optional("label", Kind::Text, "none", "Its line in the legend."),
+        optional("colour", Kind::Choice(COLOURS), "black", "The colour of which a tint is drawn."),
+    ],
+    members: &[],
+    example: "band measured { corners = [[1, 0 Pa], [1.2, 1 kPa], [1.2, 2 kPa]]  label = \"measured\" }",
+    available: true,
+};
+
+/// `panel name { … }`
+pub(in crate::scene) static PANEL: Declaration = Declaration {
+    word: "panel",
+    doc: "The deformed bodies at one time, coloured by the plot's field.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required("frames", Kind::Expression, "frames = fields", "The frames it is taken from."),
+        optional("time", Kind::Quantity("time"), "the last frame", "The time; the nearest frame is drawn."),
+        optional(
+            "when",
+            Kind::Expression,
+            "none",
+            "The time is that at which a column first has a value: `when = pull.F == 1 N`.",
+        ),
+        optional("caption", Kind::Text, "none", "Line below it."),
+    ],
+    members: &[],
+    example: "panel late { frames = fields  time = 0.1 s  caption = \"0.1 s\" }",
+    available: true,
+};
+
+/// `outline name { … }`
+pub(in crate::scene) static OUTLINE: Declaration = Declaration {
+    word: "outline",
+    doc: "The outline of a body in the reference configuration, from where the plot sees it.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[required("body", Kind::Expression, "body = strip", "The whole body.")],
+    members: &[],
+    example: "outline plate { body = plate }",
+    available: true,
+};
+
+/// `disc name { … }`
+pub(in crate::scene) static DISC: Declaration = Declaration {
+    word: "disc",
+    doc: "A filled disc below the outlines, as for a loaded region.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required("centre", Kind::Expression, "centre = [0 m, 0 m]", "Its centre on the page's plane."),
+        required("radius", Kind::Quantity("length"), "radius = 0.8 m", "Its radius."),
+        optional("colour", Kind::Choice(COLOURS), "vermilion", "The colour of which a tint is drawn."),
+    ],
+    members: &[],
+    example: "disc loaded { centre = [0 m, 0 m]  radius = 0.8 m }",
+    available: true,
+};
+
+/// `dimension name { … }`
+pub(in crate::scene) static DIMENSION: Declaration = Declaration {
+    word: "dimension",
+    doc: "A dimension line; its number is the distance of its ends.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required("from", Kind::Expression, "from = [0 mm, 0 mm]", "One end on the page's plane."),
+        required("to", Kind::Expression, "to = [33 mm, 0 mm]", "The other end."),
+        optional(
+            "offset",
+            Kind::Quantity("length"),
+            "0 m",
+            "How far the line lies beside them, to the left of the way from one to the other.",
+        ),
+        optional("text", Kind::Text, "none", "What stands before the number."),
+    ],
+    members: &[],
+    example: "dimension gauge { from = [-16.5 mm, 3 mm]  to = [16.5 mm, 3 mm]  offset = 8 mm  text = \"gauge\" }",
+    available: true,
+};
+
+/// `note name { … }`
+pub(in crate::scene) static NOTE: Declaration = Declaration {
+    word: "note",
+    doc: "A text in a drawing, with a line to what it names.",
+    within: Some("plot"),
+    target: Target::Name,
+    keys: &[
+        required("text", Kind::Text, "text = \"held\"", "The text."),
+        required("at", Kind::Expression, "at = [0 mm, 0 mm]", "Where it begins on the page's plane."),
+        optional("to", Kind::Expression, "none", "What it names."),
+    ],
+    members: &[],
+    example: "note loaded { text = \"loaded\"  at = [1 m, 2 m]  to = [0.5 m, 0.5 m] }",
+    available: true,
+};
