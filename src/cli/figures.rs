@@ -5,7 +5,7 @@
 use super::Exit;
 use super::arguments::FiguresOptions;
 use super::folder::{REPORT, announce, prepare};
-use super::input::{Input, read_or_explain, read_runs_or_explain, scenes};
+use super::input::{Input, read_or_explain, read_runs_or_explain};
 use super::progress::Bar;
 use crate::output::file::write_atomic;
 use crate::output::{Provenance, RunReport, Table};
@@ -200,8 +200,8 @@ fn run(
         write(&folder.join(REPORT), &outcome.report.to_json())?;
         return Ok(());
     }
-    let found = scenes(input, Some(&source.scene)).map_err(Stop::Explained)?;
-    let Some(scene) = found.first() else { return Err(Stop::Explained(Exit::WrongInput)) };
+    let found = input.document.scenes.iter().find(|scene| scene.name == source.scene);
+    let scene = found.ok_or_else(|| format!("{} has no scene `{}`", source.file, source.scene))?;
     let plan = Plan::new(scene);
     let (provenance, folder) = (provenance.clone(), folder.to_path_buf());
     let job = Job { scene, plan: &plan, provenance, folder: Some(folder.clone()) };

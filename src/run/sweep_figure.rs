@@ -48,6 +48,7 @@ fn figure(
                 label: label.clone(),
                 unit: unit.clone(),
                 scale: scale(logarithmic),
+                range: None,
             };
             figure.x = axis(&axes[0], plot.logarithmic.0);
             figure.y = axis(&axes[1], plot.logarithmic.1);
@@ -136,8 +137,12 @@ fn pareto(sweep: &Sweep, tables: &[Table], provenance: &Provenance) -> Result<Fi
     let mut front: Vec<(f64, f64)> = on_front.map(place).collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     let others: Vec<(f64, f64)> = settings.iter().filter(|s| !s.on_front).map(place).collect();
-    let axis =
-        |label: &str, unit: &str| Axis { label: label.into(), unit: unit.into(), scale: Scale::Logarithmic };
+    let axis = |label: &str, unit: &str| Axis {
+        label: label.into(),
+        unit: unit.into(),
+        scale: Scale::Logarithmic,
+        range: None,
+    };
     let mut series = vec![Series {
         label: "beaten by no other".into(),
         points: front,
@@ -152,6 +157,7 @@ fn pareto(sweep: &Sweep, tables: &[Table], provenance: &Provenance) -> Result<Fi
         x: axis(&trade.cost.replace('_', " "), ""),
         y: axis("error", &trade.unit),
         series,
+        bands: Vec::new(),
         slopes: Vec::new(),
         provenance: provenance.lines(),
     })
