@@ -111,8 +111,8 @@ fn figure() -> String {
 fn panel(name: &str, points: Vec<(f64, f64)>) -> String {
     let figure = Figure {
         title: name.replace('_', " "),
-        x: Axis { label: "stretch".into(), unit: String::new(), scale: Scale::Linear },
-        y: Axis { label: "P".into(), unit: "Pa".into(), scale: Scale::Linear },
+        x: Axis { label: "stretch".into(), unit: String::new(), scale: Scale::Linear, range: None },
+        y: Axis { label: "P".into(), unit: "Pa".into(), scale: Scale::Linear, range: None },
         series: vec![Series { label: String::new(), points, mark: Mark::Line, colour: None }],
         ..Figure::default()
     };

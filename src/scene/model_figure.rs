@@ -155,8 +155,19 @@ pub struct Drawing {
     pub discs: Vec<([f64; 2], f64, usize)>,
     /// Dimension lines: ends, offset, text.
     pub dimensions: Vec<([f64; 2], [f64; 2], f64, String)>,
-    /// Texts: where, what they name, the text.
-    pub notes: Vec<([f64; 2], Option<[f64; 2]>, String)>,
+    /// Texts.
+    pub notes: Vec<DrawnNote>,
+}
+
+/// A text in a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnNote {
+    /// Where it begins, m.
+    pub at: [f64; 2],
+    /// What it names, m.
+    pub to: Option<[f64; 2]>,
+    /// The text.
+    pub text: String,
 }
 
 /// A figure of one or several runs.

@@ -113,13 +113,12 @@ impl Panel {
     /// Positions on the plane belong to both sides, so that no seam is seen.
     #[must_use]
     pub fn mirrored(mut self, axis: usize, at: f64, is_odd: bool) -> Self {
-        let n = self.positions.len();
         let extent = self.positions.iter().map(|x| (x[axis] - at).abs()).fold(0.0, f64::max);
         let on_plane: Vec<bool> =
             self.positions.iter().map(|x| (x[axis] - at).abs() <= ON_PLANE * extent).collect();
-        let mut image_of = Vec::with_capacity(n);
-        for i in 0..n {
-            if on_plane[i] && !self.faces.is_empty() {
+        let mut image_of = Vec::with_capacity(on_plane.len());
+        for (i, &is_on_plane) in on_plane.iter().enumerate() {
+            if is_on_plane && !self.faces.is_empty() {
                 image_of.push(i);
                 continue;
             }

@@ -95,13 +95,13 @@ fn shares(panel: &Panel, view: &View) -> Vec<Piece> {
             seen.push((depth, Piece::Share(corners, panel.values[corner])));
         }
     }
-    let reach = 0.5 * mean_length(panel, &edges);
+    let reach = 1.5 * mean_length(panel, &edges);
     for ((a, b), faces) in edges {
         let is_end = faces.len() == 1 || faces.iter().any(|face| face.1 != faces[0].1);
         let is_sharp = faces.windows(2).any(|pair| pair[0].0.dot(&pair[1].0) < SHARP);
         if faces.iter().any(|face| face.1) && (is_end || is_sharp) {
             let depth = 0.5 * towards.dot(&(at(a) + at(b)));
-            // in front of the shares beside it, which lie half a cell away at most
+            // in front of the shares beside it, whose middles lie a cell or so away
             seen.push((depth + reach, Piece::Edge([project(view, &at(a)), project(view, &at(b))])));
         }
     }

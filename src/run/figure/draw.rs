@@ -196,7 +196,7 @@ fn sketch(drawing: &Drawing, title: &str, table: &Table) -> Result<Sketch, Strin
         notes: drawing
             .notes
             .iter()
-            .map(|(at, to, text)| Note { at: pair(*at), to: to.map(pair), text: text.clone() })
+            .map(|note| Note { at: pair(note.at), to: note.to.map(pair), text: note.text.clone() })
             .collect(),
         provenance: table.provenance.clone(),
     })

@@ -3,7 +3,7 @@
 use super::super::super::file::Reported;
 use super::super::super::members::Members;
 use super::super::super::model::Body;
-use super::super::super::model_figure::Drawing;
+use super::super::super::model_figure::{Drawing, DrawnNote};
 use super::super::super::words::{DIMENSION, DISC, NOTE, OUTLINE, PLOT};
 use super::super::stage::Stage;
 use super::dotted;
@@ -101,7 +101,7 @@ impl Stage<'_> {
         Ok((from, to, offset, self.text(&members, "text")?.unwrap_or_default()))
     }
 
-    fn note(&mut self, block: &Block) -> Result<([f64; 2], Option<[f64; 2]>, String), Reported> {
+    fn note(&mut self, block: &Block) -> Result<DrawnNote, Reported> {
         let file = Rc::clone(&self.file);
         let members = Members::read(self.mistakes, &file, &NOTE, block);
         members.required(self.mistakes, &file, &NOTE, block, "text")?;
@@ -112,6 +112,6 @@ impl Stage<'_> {
             Some(site) => Some(self.pair_of(&site.file, site.id, "to", PLANE)?),
             None => None,
         };
-        Ok((at, to, text))
+        Ok(DrawnNote { at, to, text })
     }
 }

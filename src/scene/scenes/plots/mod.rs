@@ -140,7 +140,7 @@ impl Stage<'_> {
     /// A whole number of at least one, if it is written.
     pub(in crate::scene) fn count(&mut self, site: &Site, key: &str) -> Result<u32, Reported> {
         let value = self.constant(site, key, Dimension::NUMBER)?;
-        if value >= 1.0 && value <= 1000.0 && value.fract() == 0.0 {
+        if (1.0..=1000.0).contains(&value) && value.fract() == 0.0 {
             // whole and at most a thousand
             return Ok(value as u32);
         }
