@@ -149,7 +149,9 @@ fn every_specification_is_coloured_as_it_is_read() {
             }
         }
         for expression in &tree.expressions {
-            let start = expression.span.start;
+            // A value in parentheses starts with them.
+            let written = &source.text[expression.span.clone()];
+            let start = expression.span.end - written.trim_start_matches(['(', ' ']).len();
             match &expression.kind {
                 ExprKind::Number { unit, .. } => {
                     coloured.starts(start, &["constant.numeric"]);

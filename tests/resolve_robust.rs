@@ -371,7 +371,9 @@ fn places_do_not_depend_on_line_ends_blanks_or_letters() {
             let source = Source { name: path.clone(), text: text.into() };
             let found = resolve(&source, &tissue::scene::FileSystem, &[]).1;
             told_well(&found);
-            found.iter().map(Mistake::render).collect::<Vec<_>>().join("\n")
+            let drawn = found.iter().map(Mistake::render).collect::<Vec<_>>().join("\n");
+            // A long line is cut off, maybe within a name.
+            drawn.lines().filter(|line| !line.ends_with("...")).map(|line| format!("{line}\n")).collect()
         };
         let plain = told(&text);
         assert_eq!(told(&text.replace('\n', "\r\n")).replace('\r', ""), plain, "{stem} with CRLF");
@@ -380,7 +382,8 @@ fn places_do_not_depend_on_line_ends_blanks_or_letters() {
             |text: &str| text.lines().filter(|l| l.contains(" --> ")).map(String::from).collect::<Vec<_>>();
         assert_eq!(place(&tabs), place(&plain), "{stem} with tabs");
         // `gel` and `γελ` are three characters each, but three and six bytes; other files keep their names.
-        if !text.contains("import \"") {
+        // A name that was nearly `gel` is no longer near.
+        if !text.contains("import \"") && !plain.contains("write `gel") {
             assert_eq!(told(&text.replace("gel", "γελ")).replace("γελ", "gel"), plain, "{stem} in Greek");
         }
         checked += 1;
