@@ -68,7 +68,8 @@ fn gradient_of_position(body: &BodyState, a: usize) -> Mat3 {
     sum * body.inverse_volume[a]
 }
 
-fn curl_and_divergence(body: &BodyState, a: usize) -> (Mat3, Vec3) {
+/// `CURL_h F` and `DIV_h H` at a particle, 1/m; `H` is `cof F` where it is derived.
+pub fn curl_and_divergence(body: &BodyState, a: usize) -> (Mat3, Vec3) {
     let area_map = |b: usize| body.h(b).copied().unwrap_or_else(|| cofactor(body.f(b)));
     let (own_f, own_h) = (*body.f(a), area_map(a));
     let (mut curl, mut divergence) = (Mat3::zeros(), Vec3::zeros());

@@ -15,8 +15,8 @@ mod totals;
 mod twist;
 
 pub use field::{cauchy_stress, field_value, von_mises};
-pub use involution::{Involutions, involutions};
-pub use motion::{MotionErrors, motion_errors};
+pub use involution::{Involutions, curl_and_divergence, involutions};
+pub use motion::{FieldErrors, MotionErrors, motion_errors};
 pub use point::Interpolation;
 pub use probe::{Observer, ProbeError};
 pub use residual::{largest_residual, residual};

@@ -3,19 +3,13 @@
 //! Owns the norm. The motion itself is the solver's, differentiated from its text.
 
 use crate::energy::{Maps, Scratch};
-use crate::scene::MotionField;
+use crate::scene::{MotionField, Norm};
 use crate::solver::BodyState;
 use crate::tensor::{Mat3, cofactor, volume_map};
 
-/// Differences from the exact motion over all particles of all bodies.
-///
-/// ```text
-/// ‖e‖ = √( Σ_a V_a |e_a|² / Σ_a V_a )
-/// ```
-///
-/// with the Euclidean or Frobenius norm of `e_a`; not relative to anything.
+/// Differences from the exact motion over all particles of all bodies, one number a field.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct MotionErrors {
+pub struct FieldErrors {
     /// Of `x`, m.
     pub position: f64,
     /// Of `v`, m/s.
@@ -30,16 +24,48 @@ pub struct MotionErrors {
     pub stress: f64,
 }
 
+/// The differences in two norms, neither relative to anything.
+///
+/// ```text
+/// rms = √( Σ_a V_a |e_a|² / Σ_a V_a ),   mean = Σ_a V_a |e_a| / Σ_a V_a
+/// ```
+///
+/// with the Euclidean or Frobenius norm of `e_a`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MotionErrors {
+    /// Root mean squares.
+    pub rms: FieldErrors,
+    /// Means.
+    pub mean: FieldErrors,
+}
+
+impl FieldErrors {
+    fn map2(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        Self {
+            position: of(self.position, other.position),
+            velocity: of(self.velocity, other.velocity),
+            gradient: of(self.gradient, other.gradient),
+            area_map: of(self.area_map, other.area_map),
+            volume_map: of(self.volume_map, other.volume_map),
+            stress: of(self.stress, other.stress),
+        }
+    }
+}
+
 impl MotionErrors {
     /// The error of one field.
-    pub fn of(&self, field: MotionField) -> f64 {
+    pub fn of(&self, field: MotionField, norm: Norm) -> f64 {
+        let errors = match norm {
+            Norm::RootMeanSquare => &self.rms,
+            Norm::Mean => &self.mean,
+        };
         match field {
-            MotionField::Position => self.position,
-            MotionField::Velocity => self.velocity,
-            MotionField::Gradient => self.gradient,
-            MotionField::AreaMap => self.area_map,
-            MotionField::VolumeMap => self.volume_map,
-            MotionField::Stress => self.stress,
+            MotionField::Position => errors.position,
+            MotionField::Velocity => errors.velocity,
+            MotionField::Gradient => errors.gradient,
+            MotionField::AreaMap => errors.area_map,
+            MotionField::VolumeMap => errors.volume_map,
+            MotionField::Stress => errors.stress,
         }
     }
 }
@@ -62,22 +88,25 @@ pub fn motion_errors(bodies: &[BodyState], time: f64) -> MotionErrors {
             let (f, cof) = (body.f(a), cofactor(body.f(a)));
             let (h, j) = (body.h(a).copied().unwrap_or(cof), body.j(a).unwrap_or(volume_map(f, &cof)));
             let area_map = cofactor(&state.gradient);
+            let error = FieldErrors {
+                position: (body.x[a].vector() - state.position).norm(),
+                velocity: (body.v[a].vector() - state.velocity).norm(),
+                gradient: (f - state.gradient).norm(),
+                area_map: (h - area_map).norm(),
+                volume_map: (j - volume_map(&state.gradient, &area_map)).abs(),
+                stress: (body.stress(a) - stress[a]).norm(),
+            };
             volume += weight;
-            sum.position += weight * (body.x[a].vector() - state.position).norm_squared();
-            sum.velocity += weight * (body.v[a].vector() - state.velocity).norm_squared();
-            sum.gradient += weight * (f - state.gradient).norm_squared();
-            sum.area_map += weight * (h - area_map).norm_squared();
-            sum.volume_map += weight * (j - volume_map(&state.gradient, &area_map)).powi(2);
-            sum.stress += weight * (body.stress(a) - stress[a]).norm_squared();
+            sum.rms = sum.rms.map2(error, |sum, error| sum + weight * error * error);
+            sum.mean = sum.mean.map2(error, |sum, error| sum + weight * error);
         }
     }
-    let root = |sum: f64| if volume > 0.0 { libm::sqrt(sum / volume) } else { 0.0 };
+    if volume == 0.0 {
+        return MotionErrors::default();
+    }
+    let unit = FieldErrors::default();
     MotionErrors {
-        position: root(sum.position),
-        velocity: root(sum.velocity),
-        gradient: root(sum.gradient),
-        area_map: root(sum.area_map),
-        volume_map: root(sum.volume_map),
-        stress: root(sum.stress),
+        rms: sum.rms.map2(unit, |sum, _| libm::sqrt(sum / volume)),
+        mean: sum.mean.map2(unit, |sum, _| sum / volume),
     }
 }

@@ -102,7 +102,7 @@ impl Observer {
             }
             observer.needs_totals |= reads_totals(probe);
             observer.needs_involutions |= reads_involutions(probe);
-            observer.needs_motion |= matches!(probe, Probe::MotionError(_));
+            observer.needs_motion |= matches!(probe, Probe::MotionError(..));
             let prepared = prepare(scene, bodies, probe)?;
             observer.prepared.push((probe.clone(), prepared));
         }
@@ -125,7 +125,7 @@ impl Observer {
         };
         let mut scratch = Vec::new();
         let mut value = |probe: &Probe| match probe {
-            Probe::MotionError(field) => gaps.of(*field),
+            Probe::MotionError(field, norm) => gaps.of(*field, *norm),
             other => self.value(other, simulation, &sums, &maps),
         };
         tapes.map(|tape| tape.evaluate(&mut value, &mut scratch)).collect()
@@ -174,7 +174,7 @@ impl Observer {
                 count * simulation.impulses()[*body].of(face.as_deref(), *axis as usize)
             }
             Probe::Volume => sums.volume,
-            Probe::MotionError(_) => f64::NAN,
+            Probe::MotionError(..) => f64::NAN,
             Probe::GradientError => maps.gradient,
             Probe::AreaMapError => maps.area_map,
             Probe::VolumeMapError => maps.volume_map,

@@ -479,8 +479,8 @@ pub enum Probe {
     },
     /// `Σ V_a J_a`, m³.
     Volume,
-    /// Root mean square of the difference from the exact motion, weighted by volume, SI.
-    MotionError(MotionField),
+    /// Difference from the exact motion, weighted by volume, SI.
+    MotionError(MotionField, Norm),
     /// `max |F_a − Grad_h x|`.
     GradientError,
     /// `max |H_a − cof F_a|`.
@@ -491,6 +491,15 @@ pub enum Probe {
     CurlF,
     /// `max |DIV_h H|·dx`.
     DivH,
+}
+
+/// How differences at the particles become one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Norm {
+    /// Root of the volume-weighted mean of the squares.
+    RootMeanSquare,
+    /// Volume-weighted mean of the magnitudes.
+    Mean,
 }
 
 /// What of a state is compared with the exact motion.

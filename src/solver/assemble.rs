@@ -10,10 +10,9 @@ use super::error::SolveError;
 use super::exact::{Exact, Target};
 use super::force::Packet;
 use super::hourglass::{Hourglass, stiffest};
-use super::kinematics::velocity_gradient;
 use super::links::Links;
 use super::loads::{ExternalForces, evaluate};
-use super::pass::Workspaces;
+use super::pass::{Workspaces, gradients_of_positions};
 use super::quad::{Columns, Quad};
 use super::time_step::elastic_length;
 use crate::discretisation::{Particles, Stencils};
@@ -117,18 +116,16 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
 /// The discrete gradient and not the motion's own, so that F is the gradient of the positions from
 /// the first step on.
 fn deform(state: &mut BodyState, start: &[MotionState]) {
-    let BodyState { blocks, links, x, inverse_volume, .. } = state;
-    for (x, start) in x.iter_mut().zip(start) {
+    for (x, start) in state.x.iter_mut().zip(start) {
         *x = Quad::new(&start.position);
     }
-    for block in blocks {
-        for i in 0..block.f.len() {
-            let a = block.start + i;
-            let f = velocity_gradient(links, a, x, inverse_volume[a]).matrix();
-            block.f[i] = f;
-            let area_map = cofactor(&f);
-            block.j.iter_mut().skip(i).take(1).for_each(|j| *j = volume_map(&f, &area_map));
-            block.h.iter_mut().skip(i).take(1).for_each(|h| *h = area_map);
+    gradients_of_positions(state);
+    for Block { f, h, j, .. } in &mut state.blocks {
+        for (h, f) in h.iter_mut().zip(&*f) {
+            *h = cofactor(f);
+        }
+        for (j, f) in j.iter_mut().zip(&*f) {
+            *j = volume_map(f, &cofactor(f));
         }
     }
 }

@@ -113,6 +113,18 @@ pub fn velocity_gradients_of_body(body: &mut BodyState) {
     });
 }
 
+/// `F = Σ_b (x_b − x_a) ⊗ G_b(X_a)` of all particles: what the positions say, whatever was added up before.
+pub fn gradients_of_positions(body: &mut BodyState) {
+    let BodyState { links, x, inverse_volume, blocks, .. } = body;
+    let (links, x, inverse_volume) = (&*links, &x[..], &inverse_volume[..]);
+    blocks.par_iter_mut().for_each(|block| {
+        for (i, f) in block.f.iter_mut().enumerate() {
+            let a = block.start + i;
+            *f = velocity_gradient(links, a, x, inverse_volume[a]).matrix();
+        }
+    });
+}
+
 /// Advances the maps of a chunk with the velocity gradient of the middle of the step.
 ///
 /// With `ΔF = Δt Grad v` the area map moves by `(F + ½ ΔF) ⨯ ΔF`, exactly the change of `cof F`;

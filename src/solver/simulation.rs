@@ -17,7 +17,9 @@ use super::exact::Target;
 use super::hourglass::hourglass;
 use super::impulse::Impulses;
 use super::loads::ExternalForces;
-use super::pass::{ForceTerms, VolumeTerms, Workspaces, forces, maps_and_stress, wave_speeds};
+use super::pass::{
+    ForceTerms, VolumeTerms, Workspaces, forces, gradients_of_positions, maps_and_stress, wave_speeds,
+};
 use super::projection::Projection;
 use super::time_step::{dissipation_rate, stable_step};
 use crate::plan::{Pass, Plan, RELAXATION_OF_J, damping_rate};
@@ -185,6 +187,9 @@ impl Simulation {
         self.time = next;
         self.steps += 1;
         self.last_step = step;
+        if self.steps.is_multiple_of(REDERIVE) {
+            self.bodies.iter_mut().for_each(gradients_of_positions);
+        }
         diagnosis::not_finite(&self.bodies, &self.run, step, next).map_or(Ok(()), Err)?;
         Ok(count == 1.0)
     }
@@ -404,6 +409,13 @@ impl Simulation {
 
 /// Particles of a chunk of the passes that read only the particle itself.
 const LOCAL: usize = 16 * CHUNK;
+
+/// Steps after which F is derived anew from the positions.
+///
+/// Both add up the same velocities, so nothing changes but round-off, which would otherwise go on growing:
+/// |F − Grad_h x| was 7.9e-13 after 18 000 steps and stays near 1e-13 now. One more walk over the pairs in
+/// a thousand steps.
+const REDERIVE: u64 = 1000;
 
 /// Smallest step worth taking, as a share of the end time: above it, 10⁹ steps.
 const SMALLEST_STEP: f64 = 1e-9;

@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Required, Scope, Value};
 use super::super::file::{File, Mistakes, Reported};
-use super::super::model::{Coordinate, Field, MotionField, Probe};
+use super::super::model::{Coordinate, Field, MotionField, Norm, Probe};
 use super::super::words::{FIELD_WORDS, PROBES};
 use super::faces::Bodies;
 use super::scope::SceneScope;
@@ -75,7 +75,10 @@ impl Scope<Probe> for ProbeScope<'_> {
                 }))
             }
             ("at", _) => Some(self.field_at(evaluator, outer, function, arguments)),
-            ("error", 1) => Some(self.error(evaluator, outer.file(), arguments)),
+            ("error", 1) => {
+                Some(self.error(evaluator, outer.file(), arguments[0].value, Norm::RootMeanSquare))
+            }
+            ("mean_error", 1) => Some(self.error(evaluator, outer.file(), arguments[0].value, Norm::Mean)),
             ("max" | "min", 1) => {
                 Some(written_field(evaluator.mistakes, outer.file(), arguments[0].value).map(
                     |(field, dimension)| {
@@ -246,8 +249,7 @@ impl ProbeScope<'_> {
     }
 
     /// `error(x)`: the distance from the exact motion.
-    fn error(&self, evaluator: &mut Evaluator<Probe>, file: &File, arguments: &[Argument]) -> Outcome {
-        let id = arguments[0].value;
+    fn error(&self, evaluator: &mut Evaluator<Probe>, file: &File, id: ExprId, norm: Norm) -> Outcome {
         let written = file.expression(id);
         let known = [
             ("x", MotionField::Position, Dimension::LENGTH),
@@ -268,7 +270,7 @@ impl ProbeScope<'_> {
             let span = file.span(id);
             return Err(evaluator.mistakes.report(file, Code::WrongForm, span, message, "", help));
         }
-        Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field)), dimension))
+        Ok(Value::scalar(evaluator.graph.leaf(Probe::MotionError(field, norm)), dimension))
     }
 
     /// `impulse(strip.xmax)` or `impulse(strip)`.

@@ -189,6 +189,12 @@ pub(in crate::scene) static PROBES: &[Word] = &[
         RECORD,
         "Root mean square of the difference from the exact motion of the scene, weighted by volume, in the unit of what is compared: x, v, F, H, J or P.",
     ),
+    word(
+        "mean_error",
+        "mean_error(P)",
+        RECORD,
+        "Mean magnitude of the same difference, weighted by volume: an error confined to the boundary counts by its share of the volume.",
+    ),
     word("gradient_error", "gradient_error", RECORD, "Largest |F - Grad x| over the particles."),
     word("area_map_error", "area_map_error", RECORD, "Largest |H - cof F| over the particles."),
     word("volume_map_error", "volume_map_error", RECORD, "Largest |J - det F| over the particles."),
