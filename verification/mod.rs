@@ -10,6 +10,7 @@ pub(crate) mod benchmarks;
 mod conservation;
 mod consistency;
 mod convergence;
+mod cube;
 mod discretisation;
 mod drive;
 mod energies;
@@ -35,6 +36,6 @@ pub fn quick() -> Vec<Claim> {
 
 /// The claims that take minutes, for `tissue verify --full`.
 pub fn full() -> Vec<Claim> {
-    let groups: [&[Claim]; 1] = [benchmarks::FULL];
+    let groups: [&[Claim]; 2] = [convergence::FULL, benchmarks::FULL];
     groups.concat()
 }

@@ -2,8 +2,11 @@
 
 use super::Claim;
 
+mod affine;
 mod frames;
+mod gaps;
 mod gradient;
+mod involution;
 mod laminate;
 mod maps;
 mod pressure;
@@ -28,4 +31,14 @@ pub(crate) const CLAIMS: &[Claim] = &[
     maps::EVOLVED_H,
     maps::FREE_MAPS,
     maps::RESTORED_J,
+    affine::AFFINE,
+    involution::ALL_TIMES,
+    gaps::AREA_MAP_VERLET,
+    gaps::VOLUME_MAP_VERLET,
+    gaps::AREA_MAP_HEUN,
+    gaps::VOLUME_MAP_HEUN,
+    involution::CURL_SWINGING,
+    involution::DIV_SWINGING,
+    involution::CURL_LARGE,
+    involution::DIV_LARGE,
 ];
