@@ -72,6 +72,11 @@ impl Loader for Once<'_> {
         let mut texts = self.texts.borrow_mut();
         texts.entry(path.into()).or_insert_with(|| self.inner.load(path)).clone()
     }
+
+    // a file that is no text is named for its shape and read where it is named
+    fn load_bytes(&self, path: &str) -> Result<Vec<u8>, LoadError> {
+        self.inner.load_bytes(path)
+    }
 }
 
 /// The file system, paths relative to the working directory.
