@@ -11,6 +11,7 @@ pub mod tensor;
 pub mod unit;
 
 pub mod expression;
+pub mod fit;
 pub mod schema;
 pub mod syntax;
 

@@ -292,3 +292,61 @@ fn the_error_of_an_integral_over_directions_is_shown_and_judged() {
         assert!(audit.is_sound(), "{audit}");
     }
 }
+
+/// Audits of the checks of a text.
+fn checked(text: &str) -> Vec<MaterialAudit> {
+    let source = Source { name: "audit.tissue".into(), text: format!("tissue 1\n{text}") };
+    let (document, mistakes) = resolve(&source, &Memory::default(), &[]);
+    let told: Vec<String> = mistakes.iter().map(Mistake::render).collect();
+    assert!(mistakes.is_empty(), "{}", told.join("\n"));
+    document.checks.iter().map(|check| MaterialAudit::of_check(check).expect("differentiable")).collect()
+}
+
+#[test]
+fn without_the_bracket_the_artery_fails_a_check_of_slight_compression_and_with_it_it_does_not() {
+    let require = "\ncheck artery { require = [elliptic]  over = stretches(0.98 .. 1.02) }
+check artery { require = [elliptic]  over = stretches(0.95 .. 1.02) }";
+    let audits = |strain: &str| checked(&format!("{}{require}", artery(strain)));
+    // BENCHMARKS, section C: along the bisector lost between compressions 0.98 and 0.95
+    let across = |audit: &MaterialAudit| path(audit, "isochoric stretch along theta").lost_in_compression;
+    let without = audits("E(a)");
+    assert_eq!(across(&without[0]), None);
+    assert!(across(&without[1]).is_some_and(|lost| (0.95..0.98).contains(&lost)), "{}", without[1]);
+    assert!(!without[1].is_sound() && !without[1].requirements[0].is_met);
+    for audit in audits("pos(E(a))") {
+        assert!(audit.is_sound() && audit.requirements[0].is_met, "{audit}");
+    }
+}
+
+#[test]
+fn every_property_of_an_audit_can_be_required_and_every_word_is_one() {
+    let vocabulary = tissue::scene::vocabulary();
+    let check = vocabulary.block("check", None).expect("a block");
+    let Some(tissue::schema::Kind::Choices(words)) = check.key("require").map(|key| key.kind) else {
+        panic!("`require` is a list of words");
+    };
+    let words: Vec<&str> = words.iter().map(|choice| choice.word).collect();
+    let audit = audited(&artery("pos(E(a))"));
+    for property in &audit.properties {
+        assert!(words.contains(&property.property), "{}", property.property);
+    }
+    // `joins` and `integration` are asked of laws with pieces and integrals only
+    let asked_elsewhere = ["joins", "integration"];
+    for word in words.iter().filter(|word| !asked_elsewhere.contains(*word)) {
+        assert!(audit.properties.iter().any(|property| property.property == *word), "{word}");
+    }
+}
+
+#[test]
+fn bars_are_pulled_as_far_as_a_check_expects() {
+    let audits = checked(&format!(
+        "{}\ncheck plate {{ require = [objective]  over = stretches(0.9 .. 1.25) }}",
+        saint_venant_kirchhoff(3.0, 1.0)
+    ));
+    // P = E/2 l (l^2 - 1), E = 2.75 kPa
+    let pulled = audits[0].along[0].pulled.expect("a bar is in equilibrium");
+    assert!((pulled.stretch - 1.25).abs() < 1e-12);
+    let exact = 0.5 * 2750.0 * 1.25 * (1.25 * 1.25 - 1.0);
+    assert!((pulled.stress / exact - 1.0).abs() < 1e-10);
+    assert_eq!(audits[0].stretches, [0.9, 1.25]);
+}

@@ -11,15 +11,18 @@ use tissue::syntax::{Code, Source, decode, parse, parse_expression};
 const NAME: &str = "example.tissue";
 
 /// Codes that no short text can show; each has a test of its own below.
-const WITHOUT_EXAMPLE: [Code; 4] =
-    [Code::FileTooLarge, Code::ExpressionTooDeep, Code::NotUtf8, Code::TooManyMistakes];
+const WITHOUT_EXAMPLE: [Code; 5] =
+    [Code::FileTooLarge, Code::ExpressionTooDeep, Code::NotUtf8, Code::TooManyMistakes, Code::NotAvailable];
 
-/// The example itself is the only file.
-struct Alone(String);
+/// The example itself, and the table of its page, are the only files.
+struct Alone(String, Option<String>);
 
 impl Loader for Alone {
     fn load(&self, path: &str) -> Result<String, LoadError> {
-        if path.ends_with(NAME) { Ok(self.0.clone()) } else { Err(LoadError::Missing) }
+        if path.ends_with(NAME) {
+            return Ok(self.0.clone());
+        }
+        self.1.clone().filter(|_| path == "data.csv").ok_or(LoadError::Missing)
     }
 }
 
@@ -39,8 +42,9 @@ fn fenced<'a>(page: &'a str, language: &str) -> Option<&'a str> {
     Some(&page[start..start + length])
 }
 
-fn mistakes(text: &str, overrides: &[(String, String)]) -> Vec<Mistake> {
-    resolve(&Source { name: NAME.into(), text: text.into() }, &Alone(text.into()), overrides).1
+fn mistakes(text: &str, table: Option<&str>, overrides: &[(String, String)]) -> Vec<Mistake> {
+    let files = Alone(text.into(), table.map(String::from));
+    resolve(&Source { name: NAME.into(), text: text.into() }, &files, overrides).1
 }
 
 #[test]
@@ -64,7 +68,7 @@ fn the_example_of_a_page_gives_its_code_and_what_the_page_shows() {
             wrong.push(format!("{code} has no example"));
             continue;
         };
-        let found = mistakes(example, &[]);
+        let found = mistakes(example, fenced(&page, "csv"), &[]);
         if found.iter().all(|m| m.diagnostic.code != *code) {
             let told: String = found.iter().map(Mistake::render).collect();
             wrong.push(format!("{code} is not given by its example, but:\n{told}"));
@@ -93,7 +97,9 @@ fn what_no_page_can_show_is_told_too() {
     );
     let deep = parse_expression(&source(format!("{}x", "x + ".repeat(500))));
     assert_eq!(deep.map_err(|m| m[0].code).map(|_| ()), Err(Code::ExpressionTooDeep));
+    // Nothing of the language waits to be carried out, so nothing can be told to.
+    assert!(tissue::scene::vocabulary().blocks.iter().all(|block| block.available));
     let text = fenced(&page(Code::UnknownBlock), "tissue").unwrap_or_default().to_string();
-    let found = mistakes(&text, &[("nothing.here".into(), "1".into())]);
+    let found = mistakes(&text, None, &[("nothing.here".into(), "1".into())]);
     assert!(found.iter().any(|m| m.diagnostic.code == Code::UnknownOverride), "{found:?}");
 }

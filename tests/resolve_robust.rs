@@ -223,7 +223,7 @@ fn entries(random: &mut Random, material: &Material, block: &Declaration, depth:
 fn generated_block(random: &mut Random, material: &Material, block: &Declaration, depth: usize) -> String {
     let target = match block.target {
         Target::Absent => String::new(),
-        Target::Name | Target::Body => name(random),
+        Target::Name | Target::Material | Target::Body => name(random),
         Target::Face => format!("{}.{}", name(random), random.pick(&["xmin", "xmax", "ymin", "side"])),
     };
     format!("{} {target} {{\n{}}}\n", block.word, entries(random, material, block, depth))

@@ -15,8 +15,12 @@ mod discretisation;
 mod drive;
 mod energies;
 mod figures;
+mod fit;
 mod language;
+mod picture;
 mod scene;
+
+pub use picture::illustrations;
 
 /// The claims that together take seconds; `cargo test` holds every one of them.
 pub fn quick() -> Vec<Claim> {
@@ -28,6 +32,7 @@ pub fn quick() -> Vec<Claim> {
         consistency::CLAIMS,
         convergence::CLAIMS,
         drive::CLAIMS,
+        fit::CLAIMS,
         benchmarks::CLAIMS,
         figures::CLAIMS,
     ];

@@ -46,6 +46,12 @@ pub struct CheckOptions {
     /// Print the mistakes and reports as JSON
     #[arg(long)]
     pub json: bool,
+    /// Draw where each material keeps or loses ellipticity: one SVG a material in this folder, made if need be
+    #[arg(long, value_name = "DIR")]
+    pub map: Option<PathBuf>,
+    /// Replace maps that exist
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Options of `plan`.
@@ -104,7 +110,13 @@ pub struct VerifyOptions {
     /// Write the verdicts as JSON as well
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
-    /// Replace the JSON file if it exists
+    /// Write the report as one page of HTML, with figures
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+    /// Put the control of the claims that contain this text in the place of what is measured: they must fail
+    #[arg(long = "break", value_name = "TEXT")]
+    pub broken: Option<String>,
+    /// Replace files that exist
     #[arg(long)]
     pub overwrite: bool,
 }

@@ -3,8 +3,12 @@
 use super::Exit;
 use super::arguments::CheckOptions;
 use super::input::{Input, count, read};
-use crate::verify::MaterialAudit;
+use crate::output::Provenance;
+use crate::output::file::write_atomic;
+use crate::scene::{Check, Material};
+use crate::verify::{MaterialAudit, ellipticity_map};
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// Audits files; runs nothing.
 pub fn check(options: &CheckOptions) -> Exit {
@@ -24,7 +28,10 @@ pub fn check(options: &CheckOptions) -> Exit {
                 if !input.mistakes.is_empty() {
                     exit = Exit::WrongInput;
                 }
-                let (audits, sound) = audit(&input);
+                let (audits, mut sound) = audit(&input);
+                if let Some(folder) = options.map.as_ref().filter(|_| input.mistakes.is_empty()) {
+                    sound &= draw_maps(&input, folder, options.overwrite);
+                }
                 if exit == Exit::Fine && !sound {
                     exit = Exit::Failed;
                 }
@@ -46,9 +53,9 @@ pub fn check(options: &CheckOptions) -> Exit {
 fn audit(input: &Input) -> (Vec<MaterialAudit>, bool) {
     let mut audits = Vec::new();
     let mut sound = true;
-    let materials = if input.mistakes.is_empty() { &input.document.materials[..] } else { &[] };
-    for material in materials {
-        match MaterialAudit::of(material) {
+    for Asked { material, check } in asked(input) {
+        let found = check.map_or_else(|| MaterialAudit::of(material), MaterialAudit::of_check);
+        match found {
             Ok(audit) => {
                 sound &= audit.is_sound();
                 audits.push(audit);
@@ -62,6 +69,69 @@ fn audit(input: &Input) -> (Vec<MaterialAudit>, bool) {
     (audits, sound)
 }
 
+/// A material to audit, and what the file requires of it.
+struct Asked<'a> {
+    material: &'a Material,
+    check: Option<&'a Check>,
+}
+
+/// Every material of a file without mistakes, once a check of it or once without; then imported ones that
+/// are checked.
+fn asked(input: &Input) -> Vec<Asked<'_>> {
+    let document = &input.document;
+    if !input.mistakes.is_empty() {
+        return Vec::new();
+    }
+    let mut asked = Vec::new();
+    for material in &document.materials {
+        let checks = document.checks.iter().filter(|check| check.material.name == material.name);
+        let before = asked.len();
+        asked.extend(checks.map(|check| Asked { material, check: Some(check) }));
+        if asked.len() == before {
+            asked.push(Asked { material, check: None });
+        }
+    }
+    let own = |check: &&Check| document.materials.iter().all(|own| own.name != check.material.name);
+    let imported = document.checks.iter().filter(own);
+    asked.extend(imported.map(|check| Asked { material: &check.material, check: Some(check) }));
+    asked
+}
+
+/// Writes the map of each material; whether all were written.
+fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
+    if let Err(cause) = std::fs::create_dir_all(folder) {
+        eprintln!("error: cannot make {}: {cause}", folder.display());
+        return false;
+    }
+    let mut drawn: Vec<String> = Vec::new();
+    let mut sound = true;
+    for Asked { material, check } in asked(input) {
+        let earlier = drawn.iter().filter(|name| **name == material.name).count();
+        drawn.push(material.name.clone());
+        let suffix = if earlier == 0 { String::new() } else { format!("_{}", earlier + 1) };
+        let path = folder.join(format!("{}{suffix}.svg", material.name));
+        if path.exists() && !overwrite {
+            eprintln!(
+                "error: {} exists; name another folder, or replace it with --overwrite",
+                path.display()
+            );
+            sound = false;
+            continue;
+        }
+        let provenance = Provenance::new(&input.name, &input.hash, &material.name);
+        let svg = ellipticity_map(material, check.and_then(|check| check.stretches), &provenance);
+        let written = svg.and_then(|svg| {
+            write_atomic(&path, svg.as_bytes())
+                .map_err(|cause| format!("cannot write {}: {cause}", path.display()))
+        });
+        if let Err(cause) = written {
+            eprintln!("error: map of `{}`: {cause}", material.name);
+            sound = false;
+        }
+    }
+    sound
+}
+
 fn print(input: &Input, audits: &[MaterialAudit]) {
     for mistake in &input.mistakes {
         eprintln!("{}", mistake.render());
@@ -71,6 +141,7 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
         say!("{}: no mistakes", input.name);
         say!("  materials  {}", names(input.document.materials.iter().map(|m| m.name.as_str()).collect()));
         say!("  drives     {}", names(input.document.drives.iter().map(|d| d.name.as_str()).collect()));
+        say!("  fits       {}", names(input.document.fits.iter().map(|f| f.name.as_str()).collect()));
         say!("  scenes     {}", names(input.document.scenes.iter().map(|s| s.name.as_str()).collect()));
         let of = |trade: bool| {
             let sweeps = input.document.sweeps.iter().filter(move |sweep| sweep.trade.is_some() == trade);
@@ -99,6 +170,7 @@ fn as_json(input: &Input, audits: &[MaterialAudit]) -> Value {
         "materials": input.document.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
         "audits": audits,
         "drives": input.document.drives.iter().map(|d| &d.name).collect::<Vec<_>>(),
+        "fits": input.document.fits.iter().map(|f| &f.name).collect::<Vec<_>>(),
         "scenes": input.document.scenes.iter().map(|s| &s.name).collect::<Vec<_>>(),
         "sweeps": input.document.sweeps.iter().map(|s| &s.name).collect::<Vec<_>>(),
     })

@@ -3,7 +3,7 @@
 use super::Exit;
 use crate::output::provenance;
 use crate::scene::{
-    Document, Drive, FileSystem, LoadError, Loader, Mistake, Scene, Sweep, resolve, resolve_runs,
+    Document, Drive, FileSystem, Fit, LoadError, Loader, Mistake, Scene, Sweep, resolve, resolve_runs,
 };
 use crate::syntax::Source;
 use std::cell::RefCell;
@@ -109,6 +109,8 @@ pub struct Chosen<'a> {
     pub scenes: Vec<&'a Scene>,
     /// Drives of a material point.
     pub drives: Vec<&'a Drive>,
+    /// Fits.
+    pub fits: Vec<&'a Fit>,
     /// Sweeps and trades.
     pub sweeps: Vec<&'a Sweep>,
 }
@@ -116,7 +118,7 @@ pub struct Chosen<'a> {
 impl Chosen<'_> {
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.scenes.len() + self.drives.len() + self.sweeps.len()
+        self.scenes.len() + self.drives.len() + self.fits.len() + self.sweeps.len()
     }
 }
 
@@ -125,29 +127,31 @@ impl Chosen<'_> {
 /// # Errors
 /// [`Exit::WrongInput`] after printing what there is.
 pub fn chosen<'a>(input: &'a Input, name: Option<&str>) -> Result<Chosen<'a>, Exit> {
-    let Document { scenes, drives, sweeps, .. } = &input.document;
+    let Document { scenes, drives, fits, sweeps, .. } = &input.document;
     let wanted = |found: &str| name.is_none_or(|name| name == found);
     let chosen = Chosen {
         scenes: scenes.iter().filter(|scene| wanted(&scene.name)).collect(),
         drives: drives.iter().filter(|drive| wanted(&drive.name)).collect(),
+        fits: fits.iter().filter(|fit| wanted(&fit.name)).collect(),
         sweeps: sweeps.iter().filter(|sweep| wanted(&sweep.name)).collect(),
     };
     if chosen.len() > 0 {
         return Ok(chosen);
     }
     let names = scenes.iter().map(|scene| &scene.name).chain(drives.iter().map(|drive| &drive.name));
+    let names = names.chain(fits.iter().map(|fit| &fit.name));
     let names: Vec<String> =
         names.chain(sweeps.iter().map(|sweep| &sweep.name)).map(|name| format!("`{name}`")).collect();
     match name {
         Some(name) if !names.is_empty() => {
             eprintln!(
-                "error: {} has no scene, drive or sweep `{name}`; it has {}",
+                "error: {} has no scene, drive, fit or sweep `{name}`; it has {}",
                 input.name,
                 names.join(", ")
             );
         }
         _ => eprintln!(
-            "error: {} has nothing to run; write `scene name {{ … }}` or `drive name {{ … }}`",
+            "error: {} has nothing to run; write `scene name {{ … }}`, `drive name {{ … }}` or `fit name {{ … }}`",
             input.name
         ),
     }

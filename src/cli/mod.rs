@@ -24,6 +24,7 @@ mod check;
 mod drive;
 mod explain;
 mod figures;
+mod fit;
 mod folder;
 mod format;
 mod input;

@@ -5,7 +5,7 @@ use super::arguments::PlanOptions;
 use super::input::{chosen, read_or_explain};
 use super::memory::fits;
 use super::run::tell_place;
-use crate::plan::Plan;
+use crate::plan::{DrivePlan, FitPlan, Plan};
 use crate::run::{Cost, side_by_side};
 use crate::scene::{Scene, Sweep, Swept};
 
@@ -20,9 +20,11 @@ pub fn plan(options: &PlanOptions) -> Exit {
 fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
     let input = read_or_explain(&options.file, &options.overrides)?;
     let chosen = chosen(&input, options.scene.as_deref())?;
-    if chosen.scenes.is_empty() && chosen.sweeps.is_empty() {
-        eprintln!("error: {} has no scene or sweep to plan; write `scene name {{ … }}`", input.name);
-        return Err(Exit::WrongInput);
+    for drive in &chosen.drives {
+        say_on!("{}", DrivePlan(drive));
+    }
+    for fit in &chosen.fits {
+        say_on!("{}", FitPlan(fit));
     }
     for scene in chosen.scenes {
         fits(scene).map_err(|message| {

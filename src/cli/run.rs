@@ -3,6 +3,7 @@
 use super::Exit;
 use super::arguments::RunOptions;
 use super::drive::run_drive;
+use super::fit::run_fit;
 use super::folder::{announce, prepare};
 use super::input::{Input, chosen, read_or_explain};
 use super::memory::fits;
@@ -13,10 +14,10 @@ use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
 use crate::run::{self, Outcome, RunError, execute, figures};
-use crate::scene::{Drive, Place, Plot, Scene, Sweep};
+use crate::scene::{Drive, Fit, Place, Plot, Scene, Sweep};
 use std::path::{Path, PathBuf};
 
-/// Runs a file's drives, scenes and sweeps.
+/// Runs a file's drives, fits, scenes and sweeps.
 pub fn run(options: &RunOptions) -> Exit {
     run_some(options, |_| true)
 }
@@ -39,7 +40,8 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let drives = chosen.drives.into_iter().map(Job::Drive);
     let scenes = chosen.scenes.into_iter().map(Job::Scene);
     let sweeps = chosen.sweeps.into_iter().map(Job::Sweep);
-    let jobs: Vec<Job<'_>> = drives.chain(scenes).chain(sweeps).filter(wanted).collect();
+    let fitted = chosen.fits.into_iter().map(Job::Fit);
+    let jobs: Vec<Job<'_>> = drives.chain(fitted).chain(scenes).chain(sweeps).filter(wanted).collect();
     if jobs.is_empty() {
         eprintln!("error: {} has no trade; write `trade name {{ … }}`", input.name);
         return Exit::WrongInput;
@@ -66,6 +68,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
         let one = match job {
             Job::Scene(scene) => pool.install(|| run_scene(options, &input, scene, &folder)),
             Job::Drive(drive) => run_drive(options, &input, drive, &folder),
+            Job::Fit(fit) => run_fit(options, &input, fit, &folder),
             Job::Sweep(sweep) => pool.install(|| run_sweep(options, &input, sweep, &folder)),
         };
         if one != Exit::Fine {
@@ -79,6 +82,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
 enum Job<'a> {
     Scene(&'a Scene),
     Drive(&'a Drive),
+    Fit(&'a Fit),
     Sweep(&'a Sweep),
 }
 
@@ -87,6 +91,7 @@ impl Job<'_> {
         match self {
             Self::Scene(scene) => &scene.name,
             Self::Drive(drive) => &drive.name,
+            Self::Fit(fit) => &fit.name,
             Self::Sweep(sweep) => &sweep.name,
         }
     }

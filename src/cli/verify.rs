@@ -3,7 +3,7 @@
 use super::Exit;
 use super::arguments::VerifyOptions;
 use crate::output::file::write_atomic;
-use crate::verify::{Report, Tier, Topic, claims_of, scene_verdicts};
+use crate::verify::{Claim, Report, Shown, Tier, Topic, claims_of, illustrations, scene_verdicts};
 
 /// Holds claims and expect lines against their bounds.
 pub fn verify(options: &VerifyOptions) -> Exit {
@@ -21,18 +21,22 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     if topics.is_empty() {
         topics = Topic::ALL.to_vec();
     }
-    if let Some(path) = &options.json
-        && path.exists()
-        && !options.overwrite
-    {
-        eprintln!("error: {} exists; name another file, or replace it with --overwrite", path.display());
-        return Exit::WrongInput;
+    for path in [&options.json, &options.html].into_iter().flatten() {
+        if path.exists() && !options.overwrite {
+            eprintln!("error: {} exists; name another file, or replace it with --overwrite", path.display());
+            return Exit::WrongInput;
+        }
     }
     let tier = if options.full { Tier::Full } else { Tier::Quick };
-    let mut verdicts = Vec::new();
-    for claim in claims_of(&topics, tier) {
-        verdicts.push(claim.judge());
+    let mut claims = claims_of(&topics, tier);
+    if let Some(text) = &options.broken {
+        let broken = claims.iter_mut().filter(|claim| claim.claim.contains(text.as_str()));
+        if broken.map(|claim| claim.measure = claim.control).count() == 0 {
+            eprintln!("error: no claim of these topics contains `{text}`");
+            return Exit::WrongInput;
+        }
     }
+    let mut verdicts: Vec<_> = claims.iter().map(Claim::judge).collect();
     if topics.contains(&Topic::Benchmarks) {
         match scene_verdicts(tier) {
             Ok(list) => verdicts.extend(list),
@@ -49,11 +53,36 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     }
     let report = Report::from_verdicts(verdicts);
     say_on!("{}", report.to_text());
-    if let Some(path) = &options.json
-        && let Err(cause) = write_atomic(path, report.to_json().as_bytes())
-    {
-        eprintln!("error: cannot write {}: {cause}", path.display());
-        return Exit::Failed;
+    let mut files = Vec::new();
+    files.extend(options.json.as_ref().map(|path| (path, report.to_json())));
+    if let Some(path) = &options.html {
+        match drawn(&report) {
+            Ok(figures) => files.push((path, report.to_html(&figures))),
+            Err(cause) => {
+                eprintln!("error: {cause}");
+                return Exit::Failed;
+            }
+        }
+    }
+    for (path, text) in files {
+        if let Err(cause) = write_atomic(path, text.as_bytes()) {
+            eprintln!("error: cannot write {}: {cause}", path.display());
+            return Exit::Failed;
+        }
     }
     if report.holds { Exit::Fine } else { Exit::Failed }
+}
+
+/// The figures of the claims of a report.
+fn drawn(report: &Report) -> Result<Vec<Shown>, String> {
+    let mut figures = Vec::new();
+    for illustration in illustrations() {
+        if report.claims.iter().any(|verdict| verdict.claim == illustration.claim) {
+            let figure = (illustration.figure)();
+            let svg =
+                figure.to_svg().map_err(|cause| format!("figure of `{}`: {cause}", illustration.claim))?;
+            figures.push(Shown { claim: illustration.claim.into(), svg });
+        }
+    }
+    Ok(figures)
 }

@@ -75,6 +75,18 @@ impl<'a> Drive<'a> {
         parameters: &[f64],
         mut found: impl FnMut(&Point),
     ) -> Result<(), DriveError> {
+        self.visit_solved(path, parameters, |system, solved, parameter| {
+            found(&self.point(system, solved, parameter));
+        })
+    }
+
+    /// [`Drive::visit`] with the equations each equilibrium solves.
+    pub(super) fn visit_solved(
+        &self,
+        path: impl Fn(f64) -> Target,
+        parameters: &[f64],
+        mut found: impl FnMut(&mut System<'_>, &Solved, f64),
+    ) -> Result<(), DriveError> {
         let mut system = System {
             law: self.law,
             directions: self.directions.iter().map(|a| self.frame.transpose() * a).collect(),
@@ -91,7 +103,7 @@ impl<'a> Drive<'a> {
             let Stop { part, f, cause, .. } = stop;
             stop.described(first, DriveError::NoStart { wanted: first, part, f, cause })
         })?;
-        found(&self.point(&mut system, &solved, first));
+        found(&mut system, &solved, first);
         // The part of the way that went well lately is where the next step begins.
         let mut length = 1.0;
         for pair in parameters.windows(2) {
@@ -100,13 +112,13 @@ impl<'a> Drive<'a> {
                 let Stop { at: reached, f, cause, .. } = stop;
                 stop.described(range.1, DriveError::NoEquilibrium { reached, wanted: range.1, f, cause })
             })?;
-            found(&self.point(&mut system, &solved, pair[1]));
+            found(&mut system, &solved, pair[1]);
         }
         Ok(())
     }
 
     /// The record of an equilibrium, turned to the common axes.
-    fn point(&self, system: &mut System<'_>, solved: &Solved, parameter: f64) -> Point {
+    pub(super) fn point(&self, system: &mut System<'_>, solved: &Solved, parameter: f64) -> Point {
         let state = &solved.unknowns;
         let stresses = system.stresses(state);
         let turned = |tensor: &Mat3| self.frame * tensor * self.frame.transpose();

@@ -5,6 +5,7 @@
 mod control;
 mod error;
 mod follow;
+mod response;
 mod solution;
 mod state;
 mod system;
@@ -15,4 +16,5 @@ mod tests;
 pub use control::{Control, Target, frame};
 pub use error::DriveError;
 pub use follow::{Drive, Volume};
+pub use response::PointSlope;
 pub use state::Point;

@@ -17,7 +17,7 @@ pub(super) type Matrix = SMatrix<f64, SIZE, SIZE>;
 pub(super) type Column = SVector<f64, SIZE>;
 
 /// Row and column of the constraint `J = 1` and its stress.
-const CONSTRAINT: usize = 9;
+pub(super) const CONSTRAINT: usize = 9;
 
 /// Residual over the largest entry of the tangent, so a strain, that an equilibrium may keep.
 ///
@@ -40,7 +40,7 @@ pub(super) struct System<'a> {
 pub(super) struct Stresses {
     pub(super) first_piola: Mat3,
     pub(super) cauchy: Mat3,
-    h: Mat3,
+    pub(super) h: Mat3,
     pub(super) j: f64,
 }
 
@@ -178,7 +178,7 @@ impl System<'_> {
     /// ```text
     /// ∂P/∂F : A = ∂²ψ/∂F∂F : A + q F ⨯ A
     /// ```
-    fn tangent(&self, state: &Unknowns) -> Result<Tangent, Cause> {
+    pub(super) fn tangent(&self, state: &Unknowns) -> Result<Tangent, Cause> {
         let mut tangent = self.law.tangent(&state.f, &self.directions, Kink::Slack);
         if self.is_incompressible {
             for place in 0..9 {
@@ -247,7 +247,7 @@ impl System<'_> {
     }
 
     /// Derivative of the residual by the free components of F and by `q / scale`.
-    fn jacobian(
+    pub(super) fn jacobian(
         &self,
         state: &Unknowns,
         stresses: &Stresses,

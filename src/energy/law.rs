@@ -70,7 +70,7 @@ pub struct ConjugateStresses {
 /// A strain energy, compiled: programs for its value and its derivatives.
 #[derive(Debug, Clone)]
 pub struct Law {
-    live: Vec<Invariant>,
+    pub(super) live: Vec<Invariant>,
     pub(super) raws: Vec<Raw>,
     pub(super) reads: Reads,
     density: Program,
@@ -106,7 +106,7 @@ impl Law {
         let mut raws: Vec<Raw> = live.iter().flat_map(|&invariant| Raw::of(invariant)).collect();
         raws.sort_unstable();
         raws.dedup();
-        let source = Source { psi, parameters, live: &live, raws: &raws };
+        let source = Source { psi, parameters, live: &live, raws: &raws, varied: &[] };
         let Programs { density, gradient, hessians } = source.programs();
         let any = |wanted: fn(&Raw) -> bool| raws.iter().any(wanted);
         let reads = Reads {

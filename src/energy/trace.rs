@@ -16,6 +16,8 @@ pub(super) struct Source<'a> {
     pub(super) live: &'a [Invariant],
     /// In order, each once.
     pub(super) raws: &'a [Raw],
+    /// Parameters that stay inputs of the programs, after the raw invariants; the others are constants.
+    pub(super) varied: &'a [u32],
 }
 
 /// The programs of a law.
@@ -56,17 +58,34 @@ impl Source<'_> {
     /// `∂²ψ/∂I_k ∂I_l` at [`pair`].
     fn traced_hessian(&self, trace: &Trace, inputs: &[Handle], gradient: &[Handle]) -> Vec<Handle> {
         let operations = trace.operations();
-        let nodes: Vec<_> = inputs.iter().filter_map(Handle::node).collect();
+        let nodes: Vec<_> = inputs[..self.raws.len()].iter().filter_map(Handle::node).collect();
         let leaves = Leaves::new(nodes.iter().copied(), operations.len());
         let by = |(l, &node): (usize, &Node)| slopes(trace, &operations, &gradient[..=l], &leaves, node);
         nodes.iter().enumerate().flat_map(by).collect()
+    }
+
+    /// For each varied parameter θ in turn `∂ψ/∂θ`, then `∂²ψ/∂I_k∂θ` in the order of the raw invariants.
+    pub(super) fn parameter_slopes(&self) -> Program {
+        let trace = Trace::default();
+        let inputs = self.inputs(&trace);
+        let psi = self.evaluate(&trace, &inputs);
+        let mut differentiated = vec![psi.clone()];
+        differentiated.extend(self.traced_gradient(&trace, &inputs, &psi));
+        let operations = trace.operations();
+        let nodes: Vec<_> = inputs[self.raws.len()..].iter().filter_map(Handle::node).collect();
+        let leaves = Leaves::new(nodes.iter().copied(), operations.len());
+        let slope = |&node| slopes(&trace, &operations, &differentiated, &leaves, node);
+        let outputs: Vec<Handle> = nodes.iter().flat_map(slope).collect();
+        let outputs = trace.nodes(&outputs);
+        let graph = trace.graph();
+        Program::new(&graph, &outputs, inputs.len())
     }
 
     /// ψ is differentiated by the invariants it names; the rest is the chain rule, with all isochoric
     /// ones of a power `r^p`, `r = J^(-1/3)`, gathered before their slope `−p/3 r^(p+3)` by `J`.
     fn traced_gradient(&self, trace: &Trace, inputs: &[Handle], psi: &Handle) -> Vec<Handle> {
         let by_named = self.slopes_by_named(trace, inputs, psi);
-        let mut outputs = vec![Handle::constant(0.0); inputs.len()];
+        let mut outputs = vec![Handle::constant(0.0); self.raws.len()];
         let mut gathered = [(); 5].map(|()| Handle::constant(0.0));
         let raw = |wanted: Raw| inputs[self.place(wanted)].clone();
         let mut add = |raw: Raw, share: Handle| {
@@ -112,14 +131,17 @@ impl Source<'_> {
         let lookup = |wanted: Raw| inputs[self.place(wanted)].clone();
         let leaf = |leaf: &Leaf| match *leaf {
             Leaf::Invariant(named) => raw::invariant(named, &lookup),
-            Leaf::Parameter(index) => Handle::constant(self.parameters[index as usize]),
+            Leaf::Parameter(index) => match self.varied.iter().position(|&varied| varied == index) {
+                Some(place) => inputs[self.raws.len() + place].clone(),
+                None => Handle::constant(self.parameters[index as usize]),
+            },
             Leaf::Running(axis) => trace.running(axis),
         };
         self.psi.evaluate(leaf, &mut Vec::new())
     }
 
     fn inputs(&self, trace: &Trace) -> Vec<Handle> {
-        (0..self.raws.len()).map(|place| trace.input(place)).collect()
+        (0..self.raws.len() + self.varied.len()).map(|place| trace.input(place)).collect()
     }
 
     fn place(&self, wanted: Raw) -> usize {

@@ -104,11 +104,19 @@ pub trait Scalar:
     }
 
     /// `x^y`
+    ///
+    /// Where the exponent varies the base must be positive; `0^y` is 0 with slope 0, below that the power
+    /// is not a number.
     fn power(&self, exponent: &Self) -> Self {
-        match exponent.fixed() {
-            Some(value) => self.fixed_power(value),
-            None => (self.ln() * exponent.clone()).exp(),
+        if let Some(value) = exponent.fixed() {
+            return self.fixed_power(value);
         }
+        let (zero, one) = (Self::constant(0.0), Self::constant(1.0));
+        // The logarithm of 0 would make the slope of a bracket's power at rest no number.
+        let base = Self::select(self, Comparison::Greater, &zero, self, &one);
+        let power = (base.ln() * exponent.clone()).exp();
+        let none = Self::select(self, Comparison::Less, &zero, &Self::constant(f64::NAN), &zero);
+        Self::select(self, Comparison::Greater, &zero, &power, &none)
     }
 }
 

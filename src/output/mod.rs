@@ -6,6 +6,7 @@
 pub mod drive_report;
 pub mod figure;
 pub mod file;
+pub mod fit_report;
 pub mod frame;
 
 pub mod provenance;
@@ -15,9 +16,10 @@ pub mod table;
 
 pub use drive_report::DriveReport;
 pub use figure::{
-    Axis, Band, Dimension, FieldFigure, Figure, FigureError, Mark, Note, Panel, Patch, Scale, Series, Sketch,
-    Slope, View, sheet,
+    Axis, Band, Cell, Dimension, FieldFigure, Figure, FigureError, MapFigure, Mark, Note, Panel, Patch,
+    Scale, Series, Sketch, Slope, View, sheet,
 };
+pub use fit_report::FitReport;
 pub use frame::{Collection, Frame, FrameError, FrameField};
 pub use provenance::Provenance;
 pub use report::RunReport;

@@ -6,9 +6,11 @@
 
 mod choice;
 mod decide;
+mod point;
 mod render;
 
 pub use choice::{Choice, RELAXATION_OF_J, choices, damping_rate};
+pub use point::{DrivePlan, FitPlan};
 
 use crate::scene::{Formulation, Scene};
 

@@ -98,7 +98,7 @@ pub fn drive(job: &DriveJob<'_>) -> Result<DriveOutcome, RunError> {
 }
 
 /// What a path prescribes at a value of its parameter.
-fn target(path: &Path, parameter: f64, incompressible: bool) -> Target {
+pub(super) fn target(path: &Path, parameter: f64, incompressible: bool) -> Target {
     match path {
         Path::Uniaxial => Target::uniaxial(parameter),
         Path::Biaxial { ratio } => Target::biaxial(parameter, 1.0 + ratio * (parameter - 1.0)),
@@ -125,15 +125,15 @@ fn target(path: &Path, parameter: f64, incompressible: bool) -> Target {
 }
 
 /// A point with its tensors in the axes of the path.
-struct Seen {
+pub(super) struct Seen {
     point: Point,
     f: Mat3,
     first_piola: Mat3,
-    cauchy: Mat3,
+    pub(super) cauchy: Mat3,
 }
 
 impl Seen {
-    fn from(point: &Point, axes: &Mat3) -> Self {
+    pub(super) fn from(point: &Point, axes: &Mat3) -> Self {
         let turned = |tensor: &Mat3| axes.transpose() * tensor * axes;
         Self {
             point: *point,
@@ -143,7 +143,7 @@ impl Seen {
         }
     }
 
-    fn value(&self, probe: PointProbe) -> f64 {
+    pub(super) fn value(&self, probe: PointProbe) -> f64 {
         let at = |tensor: &Mat3, i: u8, j: u8| tensor[(usize::from(i), usize::from(j))];
         match probe {
             PointProbe::Parameter => self.point.parameter,

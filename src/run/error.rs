@@ -3,7 +3,7 @@
 use crate::drive::DriveError;
 use crate::energy::EnergyError;
 use crate::monitor::ProbeError;
-use crate::output::{FrameError, TableError};
+use crate::output::{FigureError, FrameError, TableError};
 use crate::scene::{Place, Scene};
 use crate::solver::SolveError;
 use std::fmt;
@@ -25,6 +25,13 @@ pub enum RunError {
     },
     /// The axes of a drive are none.
     Drive(DriveError),
+    /// A drive of a fit has no equilibrium at the parameters the fit starts from.
+    FitStart {
+        /// The drive.
+        drive: String,
+        /// Why not; none if its response has no finite derivative.
+        cause: Option<Box<DriveError>>,
+    },
     /// A record asks for a place that is not there.
     Probe(ProbeError),
     /// A record or a frame series has more samples than make sense.
@@ -40,6 +47,13 @@ pub enum RunError {
     Table(TableError),
     /// A frame could not be written.
     Frame(FrameError),
+    /// A figure could not be drawn.
+    Figure {
+        /// Its file.
+        name: String,
+        /// Why not.
+        cause: FigureError,
+    },
     /// A file could not be written.
     Io {
         /// The file.
@@ -65,7 +79,8 @@ impl RunError {
         match self {
             Self::Solve(cause) => of_scene(cause),
             Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
-            Self::Table(_) | Self::Frame(_) | Self::Io { .. } => false,
+            Self::FitStart { .. } => true,
+            Self::Table(_) | Self::Frame(_) | Self::Figure { .. } | Self::Io { .. } => false,
         }
     }
 }
@@ -91,6 +106,14 @@ impl fmt::Display for RunError {
         match self {
             Self::Solve(cause) => write!(f, "{cause}"),
             Self::Law { material, cause } => write!(f, "material `{material}`: {cause}"),
+            Self::FitStart { drive, cause: Some(cause) } => {
+                write!(f, "drive `{drive}` fails at the starting values: {cause}")
+            }
+            Self::FitStart { drive, cause: None } => write!(
+                f,
+                "what is measured on `{drive}` has no finite derivative by the parameters at their starting values"
+            ),
+            Self::Figure { name, cause } => write!(f, "{name}: {cause}"),
             Self::Drive(cause) => write!(f, "{cause}"),
             Self::Probe(cause) => write!(f, "{cause}"),
             Self::TooManySamples { name, samples, most } => write!(

@@ -18,9 +18,10 @@ use super::model::{Coordinate, Direction, Material, MaterialParameter};
 use super::words::{FRAME, MATERIAL};
 use crate::energy::Leaf;
 use crate::expression::Tape;
+use crate::fit::Range;
 use crate::syntax::{Argument, Block, Code, Diagnostic, Name, Span};
 use crate::unit::{Dimension, Quantity};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -38,6 +39,15 @@ struct Own {
     name: String,
     value: f64,
     dimension: Dimension,
+    range: Range,
+    /// Whether a direction has read it.
+    turns: Cell<bool>,
+}
+
+impl Own {
+    fn new(name: &str, value: f64, dimension: Dimension, range: Range) -> Self {
+        Self { name: name.into(), value, dimension, range, turns: Cell::new(false) }
+    }
 }
 
 /// Reads a material, its parameters with the values `given` for them in place of those written.
@@ -77,6 +87,8 @@ pub(super) fn read(
             name: own.name.clone(),
             value: own.value,
             unit: own.dimension.si_symbol(),
+            range: own.range,
+            turns_direction: own.turns.get(),
         })
         .collect();
     let written = Elsewhere { outer: &scope, file: Rc::clone(&energy.file) };
@@ -90,6 +102,7 @@ pub(super) fn read(
         density,
         energy: evaluator.tape(whole.total),
         parameters: whole.parameters,
+        constraints: whole.constraints.into_iter().map(|open| open.closed(&evaluator)).collect(),
         terms: whole.terms,
         directions: directions.named(fibres.iter().chain(&*used.borrow())),
         frame: directions.named(frame.iter().map(|(name, _)| &name.text)),
@@ -113,13 +126,13 @@ fn parameters(
     let mut own: Vec<Own> = Vec::new();
     for entry in &members.parameters {
         let Ok(parameter) = ParameterDef::read(mistakes, file, entry) else {
-            own.push(Own { name: entry.name.text.clone(), value: f64::NAN, dimension: Dimension::NUMBER });
+            own.push(Own::new(&entry.name.text, f64::NAN, Dimension::NUMBER, Range::default()));
             continue;
         };
         let value = parameter_value(mistakes, file, entry, &parameter, (lets, &own), instead, material);
         // A parameter without a value stays known, so that its uses are no further mistakes.
-        let value = value.unwrap_or(f64::NAN);
-        own.push(Own { name: parameter.name.text.clone(), value, dimension: parameter.dimension });
+        let (value, range) = value.unwrap_or((f64::NAN, Range::default()));
+        own.push(Own::new(&parameter.name.text, value, parameter.dimension, range));
     }
     own
 }
@@ -132,7 +145,7 @@ fn parameter_value(
     (lets, own): (&Lets, &[Own]),
     instead: &Instead,
     material: &str,
-) -> Result<f64, Reported> {
+) -> Result<(f64, Range), Reported> {
     let name = &parameter.name.text;
     if let Some(count) = &parameter.count {
         let message = "an array can be a parameter of an energy, not of a material";
@@ -161,7 +174,7 @@ fn parameter_value(
     let value = evaluator.constant(&scope, site.id, required)?;
     let span = site.file.span(site.id);
     within::check(&mut evaluator, &home, parameter, value, &site.file, span)?;
-    Ok(value)
+    Ok((value, within::range(&mut evaluator, &home, parameter)?))
 }
 
 /// The entries of the material's frames.
@@ -228,6 +241,9 @@ impl<L: Leaves> Scope<L> for MaterialScope<'_> {
             let own = &self.own[index];
             if own.value.is_nan() {
                 return Some(Err(Reported));
+            }
+            if matches!(self.directions, Named::Components(_)) {
+                own.turns.set(true);
             }
             let node = match L::parameter(index as u32) {
                 Some(leaf) => evaluator.graph.leaf(leaf),

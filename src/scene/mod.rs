@@ -4,12 +4,14 @@
 //! neither the solver nor files written.
 
 mod blocks;
+mod checks;
 mod drives;
 mod energies;
 mod evaluate;
 mod figures;
 mod file;
 mod files;
+mod fits;
 mod graph;
 mod library;
 mod loader;
@@ -18,6 +20,7 @@ mod members;
 mod model;
 mod model_drive;
 mod model_figure;
+mod model_fit;
 mod model_sweep;
 mod resolve;
 mod scenes;
@@ -32,6 +35,8 @@ pub use loader::{FileSystem, LoadError, Loader, Memory};
 pub use model::*;
 pub use model_drive::*;
 pub use model_figure::*;
+pub use model_fit::*;
 pub use model_sweep::*;
 pub use resolve::{resolve, resolve_runs};
+pub use scenes::{ERRORS, FITTED};
 pub use words::{explain, nearest_word, vocabulary};

@@ -3,6 +3,7 @@
 use crate::discretisation::{Consistency, Kernel, Shape};
 use crate::energy::Leaf;
 use crate::expression::Tape;
+use crate::fit::Range;
 
 /// Where something was written, for the reasons a plan gives and the errors a run ends with.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -28,6 +29,23 @@ pub struct Document {
     pub sweeps: Vec<super::Sweep>,
     /// Figures in order.
     pub figures: Vec<super::FigureOf>,
+    /// Fits in order.
+    pub fits: Vec<super::Fit>,
+    /// What must hold of materials, in order.
+    pub checks: Vec<Check>,
+}
+
+/// What must hold of a material's law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// Where it is written.
+    pub place: Place,
+    /// The material.
+    pub material: Material,
+    /// Properties that must hold, by the names its audit gives them.
+    pub require: Vec<String>,
+    /// Smallest and largest stretch to be expected, if written.
+    pub stretches: Option<[f64; 2]>,
 }
 
 /// A hyperelastic material.
@@ -43,6 +61,8 @@ pub struct Material {
     pub energy: Tape<Leaf>,
     /// Values of the energy's parameter leaves, SI.
     pub parameters: Vec<MaterialParameter>,
+    /// Formulas given in place of numbers.
+    pub constraints: Vec<Constraint>,
     /// Names of the energies summed, as written, with where each was declared.
     pub terms: Vec<(String, Place)>,
     /// Named directions, the indices of the invariants.
@@ -60,6 +80,21 @@ pub struct MaterialParameter {
     pub value: f64,
     /// Unit symbol of the SI value.
     pub unit: String,
+    /// Where it may lie, as declared; SI.
+    pub range: Range,
+    /// Whether a direction of the material depends on it.
+    pub turns_direction: bool,
+}
+
+/// A formula given to a parameter of an energy, which must stay in the parameter's range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraint {
+    /// Name of the parameter: `goh.C`.
+    pub name: String,
+    /// Its value; the leaves are parameters of the material.
+    pub value: Tape<Leaf>,
+    /// Where it may lie; SI.
+    pub range: Range,
 }
 
 /// A unit direction, possibly a function of the reference position.

@@ -5,7 +5,7 @@ use super::loader::{Loader, Once};
 use super::model::Document;
 use super::session::{Session, Wanted};
 use super::sweeps::Setting;
-use super::{drives, figures, scenes, sweeps};
+use super::{checks, drives, figures, fits, scenes, sweeps};
 use crate::syntax::{Item, Source};
 
 /// The meaning of a file, and every mistake found in it and in the files it imports.
@@ -50,12 +50,25 @@ fn read(
     }
     let mut broken = Vec::new();
     let mut sweeps = Vec::new();
+    let mut fitted = Vec::new();
+    let mut known = fits::Drives::new();
     for index in &module.rest {
         let Item::Block(block) = &file.tree.items[*index] else { continue };
         let Some(name) = block.target.as_ref().and_then(|path| path.parts.first()) else { continue };
         let read = match block.kind.text.as_str() {
             "drive" => {
-                drives::read(&mut session, &file, block, name, &module).map(|d| document.drives.push(d))
+                let drive = drives::read(&mut session, &file, block, name, &module);
+                known.insert(name.text.clone(), drive.clone().ok());
+                drive.map(|d| document.drives.push(d))
+            }
+            "fit" => {
+                fitted.push((block, name));
+                Ok(())
+            }
+            "check" => {
+                // It has no name of its own that a sweep could be of.
+                document.checks.extend(checks::read(&mut session, &file, block, name, &module));
+                Ok(())
             }
             "scene" => {
                 scenes::read(&mut session, &file, block, name, &module).map(|s| document.scenes.push(s))
@@ -73,6 +86,10 @@ fn read(
         if read.is_err() {
             broken.push(name.text.clone());
         }
+    }
+    // After all drives, wherever they stand.
+    for (block, name) in fitted {
+        document.fits.extend(fits::read(&mut session, &file, block, name, &module, &known));
     }
     // After all they can be of, wherever these stand.
     for (block, name) in sweeps.into_iter().filter(|_| wanted == Wanted::All) {

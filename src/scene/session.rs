@@ -105,12 +105,16 @@ impl<'a> Session<'a> {
         for (index, item) in file.tree.items.iter().enumerate() {
             let Item::Block(block) = item else { continue };
             let kind = block.kind.text.as_str();
-            if !matches!(kind, "energy" | "material" | "scene" | "drive" | "sweep" | "trade" | "figure") {
+            if !matches!(
+                kind,
+                "energy" | "material" | "scene" | "drive" | "fit" | "check" | "sweep" | "trade" | "figure"
+            ) {
                 unknown_block(&mut self.mistakes, file, block, None);
                 continue;
             }
             let Some(name) = block_name(&mut self.mistakes, file, block) else { continue };
-            if !self.declare(file, declared, &name) {
+            // A check names a material that exists.
+            if kind != "check" && !self.declare(file, declared, &name) {
                 continue;
             }
             match kind {

@@ -37,6 +37,8 @@ pub enum Target {
     Absent,
     /// A new name.
     Name,
+    /// A material that exists.
+    Material,
     /// A body that exists.
     Body,
     /// A face of a body, `strip.xmax`.

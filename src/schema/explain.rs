@@ -50,6 +50,7 @@ fn explain_block(block: &Declaration) -> String {
     let target = match block.target {
         Target::Absent => "",
         Target::Name => " NAME",
+        Target::Material => " MATERIAL",
         Target::Body => " BODY",
         Target::Face => " BODY.FACE",
     };

@@ -32,6 +32,7 @@ fn block_text(block: &Declaration) -> String {
     let target = match block.target {
         Target::Absent => "",
         Target::Name => " name",
+        Target::Material => " material",
         Target::Body => " body",
         Target::Face => " body.face",
     };

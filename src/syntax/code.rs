@@ -83,6 +83,8 @@ codes! {
 
     Conflict = "E0501", "two lines prescribe the same degree of freedom";
     AfterEnd = "E0502", "something happens after the end of the run";
+    DataOutsidePath = "E0503", "data lie where their drive does not go";
+    TooFewData = "E0504", "a fit has no more data than parameters";
     NoEffect = "E0507", "a varied value changes nothing";
     TooLarge = "E0508", "more is asked for than can be computed";
 

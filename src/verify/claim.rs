@@ -4,6 +4,7 @@
 
 use std::fmt;
 
+use crate::output::Figure;
 use serde::Serialize;
 
 /// How far beyond the bound a control must land: a deliberately wrong variant misses tenfold.
@@ -116,6 +117,15 @@ impl Claim {
             holds: within(measured, self.bound) && misses(control, self.bound),
         }
     }
+}
+
+/// A figure that shows what a claim says: an order over spacing, a history over time.
+#[derive(Debug, Clone, Copy)]
+pub struct Illustration {
+    /// The sentence of the claim.
+    pub claim: &'static str,
+    /// Measures again what is drawn.
+    pub figure: fn() -> Figure,
 }
 
 /// What became of a [`Claim`].

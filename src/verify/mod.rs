@@ -5,15 +5,18 @@
 
 pub mod audit;
 pub mod claim;
+mod page;
 pub mod report;
 mod scenes;
 
 #[path = "../../verification/mod.rs"]
 mod claims;
 
-pub use audit::MaterialAudit;
-pub use claim::{Claim, Tier, Topic, Verdict};
-pub use claims::{full, quick};
+pub(crate) use audit::quantity;
+pub use audit::{MaterialAudit, ellipticity_map};
+pub use claim::{Claim, Illustration, Tier, Topic, Verdict};
+pub use claims::{full, illustrations, quick};
+pub use page::Shown;
 pub use report::Report;
 pub use scenes::{benchmark, library_verdicts, scene_verdicts};
 

@@ -8,8 +8,8 @@ use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
 use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, Table};
 use crate::plan::Plan;
-use crate::run::{DriveJob, Job, SweepJob, SweepOutcome, control, drive, execute};
-use crate::scene::{Document, Drive, Expectation, LoadError, Loader, Scene, Sweep, library, resolve};
+use crate::run::{DriveJob, FitJob, Job, SweepJob, SweepOutcome, control, drive, execute, fit};
+use crate::scene::{Document, Drive, Expectation, Fit, LoadError, Loader, Scene, Sweep, library, resolve};
 use crate::syntax::Source;
 
 /// Files compiled into the program, by their path in the project.
@@ -51,6 +51,9 @@ pub fn scene_verdicts(tier: Tier) -> Result<Vec<Verdict>, String> {
         let document = document(path, text, &[])?;
         for drive in &document.drives {
             verdicts.extend(verdicts_of_drive(path, drive)?);
+        }
+        for fit in &document.fits {
+            verdicts.extend(verdicts_of_fit(path, fit)?);
         }
         for scene in &document.scenes {
             verdicts.extend(verdicts_of(path, scene, wrong)?);
@@ -163,6 +166,15 @@ fn verdicts_of_drive(path: &str, described: &Drive) -> Result<Vec<Verdict>, Stri
     let outcome = drive(&job).map_err(|cause| format!("{path}: {cause}"))?;
     let (report, stopped) = (&outcome.report, outcome.failure.is_some());
     Ok(judged(&described.name, &described.expectations, &report.expectations, &outcome.tables, stopped))
+}
+
+fn verdicts_of_fit(path: &str, described: &Fit) -> Result<Vec<Verdict>, String> {
+    let provenance = Provenance::new(path, "", &described.name);
+    let outcome = fit(&FitJob { fit: described, provenance, folder: None })
+        .map_err(|cause| format!("{path}: {cause}"))?;
+    let stopped = matches!(outcome.report.status, RunStatus::Stopped { .. });
+    let report = &outcome.report;
+    Ok(judged(&described.name, &described.expectations, &report.expectations, &outcome.found, stopped))
 }
 
 fn judged(

@@ -57,6 +57,8 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
         wrong: &[("rubber.E", "8 MPa"), ("column.spacing", "0.125 m")],
     },
     BenchmarkFile { path: "specs/classics/bending_column.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/fits/myocardium.tissue", tier: Tier::Quick, wrong: &[] },
+    BenchmarkFile { path: "specs/fits/rubber.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile {
         path: "specs/sweeps/dispersion.tissue",
         tier: Tier::Quick,

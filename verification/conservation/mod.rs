@@ -1,12 +1,16 @@
 //! Claims about momentum, angular momentum, energy and volume.
 
 use super::Claim;
+use crate::verify::claim::Illustration;
 
 mod angular;
 mod balance;
 mod bonded;
 mod energy;
 mod momentum;
+
+/// Figures of these claims.
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &momentum::FIGURES;
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

@@ -1,6 +1,10 @@
 //! Linear momentum of a body that nothing holds.
 
 use crate::monitor::totals;
+use crate::output::Figure;
+use crate::solver::Simulation;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::history;
 use crate::verify::claims::scene::{scene, simulation, small_cube, step, thrown_cube};
 use crate::verify::{Claim, Topic};
 
@@ -55,6 +59,42 @@ pub(super) const LONG_RUN: Claim = Claim {
 
 /// Steps of the long run.
 const LONG: u64 = 10_000;
+
+/// Momentum and energy over time.
+pub(super) const FIGURES: [Illustration; 1] = [Illustration { claim: FREE_BODY.claim, figure: histories }];
+
+fn histories() -> Figure {
+    let text = thrown_cube("", "");
+    let (verlet, heun) = (history_of(&text), history_of(&thrown_cube("integrator = tvd_rk2", "")));
+    let line = |points: &[[f64; 3]], k: usize| points.iter().map(|row| (row[0], row[k])).collect::<Vec<_>>();
+    let lines = [
+        ("momentum, Verlet", line(&verlet, 1)),
+        ("momentum, Runge-Kutta", line(&heun, 1)),
+        ("energy lost, Verlet", line(&verlet, 2)),
+        ("energy lost, Runge-Kutta", line(&heun, 2)),
+    ];
+    history("A free body: what changes", "change over first value", &lines, 1e-18)
+}
+
+/// Time, change of momentum over `Σ V |p|`, fall of the total energy over the first; every tenth step.
+fn history_of(text: &str) -> Vec<[f64; 3]> {
+    let scene = scene(text);
+    let mut simulation = simulation(&scene);
+    let before = totals(simulation.bodies(), &scene.symmetry);
+    let energy = before.kinetic_energy + before.strain_energy;
+    let sample = |simulation: &Simulation| {
+        let now = totals(simulation.bodies(), &scene.symmetry);
+        let lost = energy - now.kinetic_energy - now.strain_energy;
+        let drift = (now.momentum - before.momentum).norm() / before.momentum_scale;
+        [simulation.time(), drift, lost.abs() / energy]
+    };
+    (0..STEPS / 10)
+        .map(|_| {
+            step(&mut simulation, &scene, 10);
+            sample(&simulation)
+        })
+        .collect()
+}
 
 /// The wrong variant: a support that takes up momentum.
 const HELD: &str = "hold cube.xmin";

@@ -1,8 +1,11 @@
 //! The evolved deformation gradient against the positions.
 
-use crate::monitor::involutions;
+use crate::monitor::{Involutions, involutions};
+use crate::output::Figure;
 use crate::solver::{BodyState, Quad, Simulation};
 use crate::tensor::{Mat3, Vec3};
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::history;
 use crate::verify::claims::scene::{scene, simulation, step, thrown_cube};
 use crate::verify::{Claim, Topic};
 
@@ -56,6 +59,27 @@ pub(super) const ROTATION: Claim = Claim {
     measure: || rotated_stress(1.0),
     control: || rotated_stress(1.001),
 };
+
+/// Involutions over time.
+pub(super) const FIGURES: [Illustration; 1] = [Illustration { claim: VERLET.claim, figure: histories }];
+
+fn histories() -> Figure {
+    let scene = scene(&thrown_cube("", ""));
+    let mut simulation = simulation(&scene);
+    let mut rows: Vec<(f64, Involutions)> = Vec::new();
+    for _ in 0..STEPS / 10 {
+        step(&mut simulation, &scene, 10);
+        rows.push((simulation.time(), involutions(simulation.bodies())));
+    }
+    let line =
+        |of: fn(&Involutions) -> f64| rows.iter().map(|(t, found)| (*t, of(found))).collect::<Vec<_>>();
+    let lines = [
+        ("|F - Grad x|", line(|found| found.gradient)),
+        ("dx |CURL F|", line(|found| found.curl_f)),
+        ("dx |DIV H|", line(|found| found.div_h)),
+    ];
+    history("A thrown cube: involutions, largest over particles", "violation", &lines, 1e-18)
+}
 
 fn gap(run: &str) -> f64 {
     let scene = scene(&thrown_cube(run, ""));

@@ -1,6 +1,7 @@
 //! Claims about the maps F, H and J against the positions they describe.
 
 use super::Claim;
+use crate::verify::claim::Illustration;
 
 mod affine;
 mod frames;
@@ -11,6 +12,9 @@ mod laminate;
 mod maps;
 mod pressure;
 mod traction;
+
+/// Figures of these claims.
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &gradient::FIGURES;
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

@@ -3,6 +3,7 @@
 use super::Claim;
 use crate::discretisation::{Consistency, Kernel, Particles, Shape, Stencils};
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
 
 mod areas;
 mod equilibrium;
@@ -27,6 +28,9 @@ pub(crate) const CLAIMS: &[Claim] = &[
     shapes::AFFINE_MAP,
     shapes::UNIFORM_TRACTION,
 ];
+
+/// Figures of these claims.
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &order::FIGURES;
 
 /// Kernels every claim is measured for.
 const KERNELS: [Kernel; 4] =

@@ -1,8 +1,11 @@
 //! Orders at which the gradients of a smooth field converge.
 
+use super::super::picture::orders;
 use super::block;
 use crate::discretisation::{Consistency, Kernel, Particles, Stencils};
+use crate::output::Figure;
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
 use crate::verify::{Claim, Topic};
 
 /// Where the stencil is symmetric the second derivatives cancel: order 2.
@@ -38,6 +41,29 @@ pub(crate) const JITTERED: Claim = Claim {
     measure: || (1.0 - order(0.3, |_| true, Rule::Corrected)).max(0.0),
     control: || (1.0 - order(0.3, |_| true, Rule::Uncorrected)).max(0.0),
 };
+
+/// Errors over spacing.
+pub(super) const FIGURES: [Illustration; 3] = [
+    Illustration { claim: INSIDE.claim, figure: || figure("largest error inside", 0.0, inner, 2.0) },
+    Illustration {
+        claim: EVERYWHERE.claim,
+        figure: || figure("largest error, boundary included", 0.0, |_| true, 1.0),
+    },
+    Illustration {
+        claim: JITTERED.claim,
+        figure: || figure("root mean square error, jitter 0.3", 0.3, |_| true, 1.0),
+    },
+];
+
+fn figure(title: &str, jitter: f64, which: fn(&Vec3) -> bool, order: f64) -> Figure {
+    let errors = |rule: Rule| {
+        [0.1, 0.05, 0.025]
+            .map(|spacing| (spacing, error(&block(spacing, jitter), jitter, which, rule)))
+            .to_vec()
+    };
+    let lines = [("corrected", errors(Rule::Corrected)), ("not corrected", errors(Rule::Uncorrected))];
+    orders(title, ("spacing", "m"), &lines, order)
+}
 
 /// With which gradients.
 #[derive(Clone, Copy)]

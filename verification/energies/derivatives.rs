@@ -1,10 +1,12 @@
 //! The traced programs against other ways to the same derivatives.
 
+use super::super::picture::orders;
 use super::known_values::stress;
 use super::laws::{ARTERY, Artery, DISPERSED, Random, circumferential, goh, worse};
 use crate::energy::{Directions, Invariant, Kink, Law, Leaf, Maps, Scratch};
 use crate::expression::{Number, Scalar, Tape};
 use crate::tensor::{Mat3, Vec3, cofactor, cross};
+use crate::verify::claim::Illustration;
 use crate::verify::{Claim, Topic};
 use num_dual::Dual;
 
@@ -130,21 +132,34 @@ pub(crate) const ORDER: Claim = Claim {
     control: || order_error(1.0 + 1e-4),
 };
 
+/// The errors over the step, for the law and for a stress off by 1e-4.
+pub(crate) const ORDER_FIGURE: Illustration = Illustration {
+    claim: ORDER.claim,
+    figure: || {
+        let errors =
+            |scale: f64| [8e-4, 4e-4, 2e-4, 1e-4].map(|step| (step, difference_error(scale, step))).to_vec();
+        let lines = [("derived stress", errors(1.0)), ("wrong by 1e-4", errors(1.0 + 1e-4))];
+        orders("Differences of the energy against the stress", ("step", ""), &lines, 2.0)
+    },
+};
+
 fn order_error(scale: f64) -> f64 {
+    let order = libm::log2(difference_error(scale, 4e-4) / difference_error(scale, 2e-4));
+    (order - 2.0).abs()
+}
+
+/// `|P − P_differences|` with central differences over `step`, Pa; the stress off by a factor.
+fn difference_error(scale: f64, step: f64) -> f64 {
     let directions = circumferential();
     let law = DISPERSED.law();
     let f = Mat3::new(1.05, 0.03, -0.01, 0.02, 0.99, 0.02, 0.01, -0.02, 1.01);
     let p = scale * stress(&law, &f, &directions);
-    let error = |step: f64| {
-        let difference = Mat3::from_fn(|i, j| {
-            let mut e = Mat3::zeros();
-            e[(i, j)] = step;
-            (density(&law, &(f + e), &directions) - density(&law, &(f - e), &directions)) / (2.0 * step)
-        });
-        (p - difference).norm()
-    };
-    let order = libm::log2(error(4e-4) / error(2e-4));
-    (order - 2.0).abs()
+    let difference = Mat3::from_fn(|i, j| {
+        let mut e = Mat3::zeros();
+        e[(i, j)] = step;
+        (density(&law, &(f + e), &directions) - density(&law, &(f - e), &directions)) / (2.0 * step)
+    });
+    (p - difference).norm()
 }
 
 /// Strain energy of one state.

@@ -1,6 +1,7 @@
 //! Claims about strain energies, their stresses, tangents and wave speeds.
 
 use super::Claim;
+use crate::verify::claim::Illustration;
 
 mod audits;
 mod closed_forms;
@@ -9,6 +10,9 @@ mod integrals;
 mod known_values;
 pub(crate) mod laws;
 mod stretches;
+
+/// Figures of these claims.
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &[derivatives::ORDER_FIGURE];
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

@@ -8,6 +8,7 @@ mod curves;
 mod field;
 mod field_page;
 mod legend;
+mod map;
 mod mark;
 mod model;
 mod palette;
@@ -17,6 +18,7 @@ mod surface;
 mod symbol;
 
 pub use field::{FieldFigure, Panel, View};
+pub use map::{Cell, MapFigure};
 pub use model::{Axis, Band, Figure, FigureError, Mark, Scale, Series, Slope};
 pub use sheet::sheet;
 pub use sketch::{Dimension, Note, Patch, Sketch};

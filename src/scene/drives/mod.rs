@@ -8,6 +8,8 @@ mod record;
 mod scope;
 mod target;
 
+pub(super) use record::probe_of;
+
 use super::blocks::unknown_block;
 use super::file::{File, Reported};
 use super::materials::used;

@@ -94,6 +94,30 @@ fn tensor(word: &str) -> Option<(Tensor, Dimension)> {
     }
 }
 
+/// A scalar by name, and its dimension.
+fn scalar(word: &str) -> Option<(PointProbe, Dimension)> {
+    match word {
+        "psi" => Some((PointProbe::Psi, Dimension::PRESSURE)),
+        "J" => Some((PointProbe::J, Dimension::NUMBER)),
+        "von_mises" => Some((PointProbe::VonMises, Dimension::PRESSURE)),
+        "pressure" => Some((PointProbe::Pressure, Dimension::PRESSURE)),
+        "constraint_stress" => Some((PointProbe::ConstraintStress, Dimension::PRESSURE)),
+        "residual" => Some((PointProbe::Residual, Dimension::PRESSURE)),
+        _ => None,
+    }
+}
+
+/// What a material point can be asked under a name such as `P.xx` or `J`, and its dimension.
+pub(in crate::scene) fn probe_of(written: &str) -> Option<(PointProbe, Dimension)> {
+    match written.split_once('.') {
+        None => scalar(written).filter(|(probe, _)| *probe != PointProbe::Residual),
+        Some((word, component)) => {
+            let ((probe, dimension), (i, j)) = (tensor(word)?, indices(component)?);
+            Some((probe(i, j), dimension))
+        }
+    }
+}
+
 /// Row and column of `xy`.
 fn indices(component: &str) -> Option<(u8, u8)> {
     let axes: Vec<u8> = component.chars().filter_map(|c| "xyz".find(c)).map(|axis| axis as u8).collect();
@@ -112,15 +136,7 @@ impl Scope<PointProbe> for PointScope<'_> {
         if let Some(outcome) = self.lets.name(evaluator, self, name) {
             return Some(outcome);
         }
-        let (probe, dimension) = match name.text.as_str() {
-            "psi" => (PointProbe::Psi, Dimension::PRESSURE),
-            "J" => (PointProbe::J, Dimension::NUMBER),
-            "von_mises" => (PointProbe::VonMises, Dimension::PRESSURE),
-            "pressure" => (PointProbe::Pressure, Dimension::PRESSURE),
-            "constraint_stress" => (PointProbe::ConstraintStress, Dimension::PRESSURE),
-            "residual" => (PointProbe::Residual, Dimension::PRESSURE),
-            _ => return None,
-        };
+        let (probe, dimension) = scalar(&name.text)?;
         Some(Ok(Value::scalar(evaluator.graph.leaf(probe), dimension)))
     }
 

@@ -1,7 +1,7 @@
 //! The sum of energies of a material, each with its arguments.
 
 use super::super::evaluate::example_with_unit;
-use super::super::model::Place;
+use super::super::model::{Constraint, Place};
 use super::arguments::{Arguments, Given};
 use super::*;
 use crate::schema::nearest;
@@ -20,13 +20,29 @@ pub(super) struct Sum<'a> {
     total: Result<Option<Scalar>, Reported>,
     terms: Vec<(String, Place)>,
     parameters: Vec<MaterialParameter>,
+    constraints: Vec<Open>,
 }
 
-/// A finished sum: its formula, what it is made of, and the values of its parameters.
+/// A formula given to a parameter, while the graph it stands in grows.
+pub(super) struct Open {
+    name: String,
+    value: Scalar,
+    range: Range,
+}
+
+impl Open {
+    /// The constraint on its own.
+    pub(super) fn closed(self, evaluator: &Evaluator<Leaf>) -> Constraint {
+        Constraint { name: self.name, value: evaluator.tape(self.value), range: self.range }
+    }
+}
+
+/// A finished sum: its formula, what it is made of, the values of its parameters, formulas given to them.
 pub(super) struct Whole {
     pub(super) total: Scalar,
     pub(super) terms: Vec<(String, Place)>,
     pub(super) parameters: Vec<MaterialParameter>,
+    pub(super) constraints: Vec<Open>,
 }
 
 impl<'a> Sum<'a> {
@@ -37,13 +53,23 @@ impl<'a> Sum<'a> {
         (material, fibres): (&'a str, usize),
         parameters: Vec<MaterialParameter>,
     ) -> Self {
-        Self { scope, energies, overrides, material, fibres, total: Ok(None), terms: Vec::new(), parameters }
+        Self {
+            scope,
+            energies,
+            overrides,
+            material,
+            fibres,
+            total: Ok(None),
+            terms: Vec::new(),
+            parameters,
+            constraints: Vec::new(),
+        }
     }
 
     /// The sum, what it is made of, and the parameters.
     pub(super) fn finish(self) -> Result<Whole, Reported> {
         let total = self.total?.ok_or(Reported)?;
-        Ok(Whole { total, terms: self.terms, parameters: self.parameters })
+        Ok(Whole { total, terms: self.terms, parameters: self.parameters, constraints: self.constraints })
     }
 
     /// Adds an expression of the form `a(…) + b(…)`.
@@ -264,9 +290,13 @@ impl<'a> Sum<'a> {
         };
         let home = energy.scope(BTreeMap::new(), vec![]);
         within::check(evaluator, &home, parameter, value, file, file.span(id))?;
+        let range = within::range(evaluator, &home, parameter)?;
         Ok(match evaluator.graph.number(scalar.node) {
-            Some(_) => self.own(evaluator, parameter, name, value),
-            None => Value::Scalar(scalar),
+            Some(_) => self.own(evaluator, parameter, name, (value, range)),
+            None => {
+                self.constraints.push(Open { name, value: scalar, range });
+                Value::Scalar(scalar)
+            }
         })
     }
 
@@ -275,10 +305,11 @@ impl<'a> Sum<'a> {
         evaluator: &mut Evaluator<Leaf>,
         parameter: &ParameterDef,
         name: String,
-        value: f64,
+        (value, range): (f64, Range),
     ) -> Value {
         let leaf = Leaf::Parameter(self.parameters.len() as u32);
-        self.parameters.push(MaterialParameter { name, value, unit: parameter.dimension.si_symbol() });
+        let unit = parameter.dimension.si_symbol();
+        self.parameters.push(MaterialParameter { name, value, unit, range, turns_direction: false });
         evaluator.parameters.push(value);
         Value::scalar(evaluator.graph.leaf(leaf), parameter.dimension)
     }
@@ -297,8 +328,9 @@ impl<'a> Sum<'a> {
             let home = energy.scope(values.clone(), vec![]);
             let required = Required { name, dimension: parameter.dimension };
             let scalar = evaluator.quantity(&home, default, required)?;
+            let range = within::range(evaluator, &home, parameter)?;
             return Ok(match evaluator.graph.number(scalar.node) {
-                Some(value) => self.own(evaluator, parameter, format!("{prefix}.{name}"), value),
+                Some(value) => self.own(evaluator, parameter, format!("{prefix}.{name}"), (value, range)),
                 None => Value::Scalar(scalar),
             });
         }

@@ -3,6 +3,7 @@
 use super::super::evaluate::{Evaluator, Leaves, Required, Scope};
 use super::super::file::{File, Reported};
 use super::ParameterDef;
+use crate::fit::{Bound, Range};
 use crate::syntax::{Code, Diagnostic, ExprId, Span};
 use crate::unit::Quantity;
 use std::rc::Rc;
@@ -21,6 +22,21 @@ pub(in crate::scene) fn bound<L: Leaves>(
     evaluator.constant(scope, id, Required { name: &parameter.name.text, dimension: parameter.dimension })
 }
 
+/// The range a parameter is declared with; `scope` is the one it is declared in.
+pub(in crate::scene) fn range<L: Leaves>(
+    evaluator: &mut Evaluator<L>,
+    scope: &dyn Scope<L>,
+    parameter: &ParameterDef,
+) -> Result<Range, Reported> {
+    let Some(bounds) = &parameter.bounds else { return Ok(Range::default()) };
+    let mut end = |written: &Option<(ExprId, bool)>| match written {
+        Some((id, is_excluded)) => bound(evaluator, scope, *id, parameter)
+            .map(|value| Some(Bound { value, is_excluded: *is_excluded })),
+        None => Ok(None),
+    };
+    Ok(Range { lower: end(&bounds.lower)?, upper: end(&bounds.upper)? })
+}
+
 /// Refuses a value outside the range; `scope` is the one the parameter is declared in, `file` and `span`
 /// where the value is written.
 pub(in crate::scene) fn check<L: Leaves>(
@@ -32,16 +48,7 @@ pub(in crate::scene) fn check<L: Leaves>(
     span: Span,
 ) -> Result<(), Reported> {
     let Some(bounds) = &parameter.bounds else { return Ok(()) };
-    let mut inside = value.is_finite();
-    if let Some((lower, excluded)) = &bounds.lower {
-        let lower = bound(evaluator, scope, *lower, parameter)?;
-        inside &= value > lower || (value == lower && !excluded);
-    }
-    if let Some((upper, excluded)) = &bounds.upper {
-        let upper = bound(evaluator, scope, *upper, parameter)?;
-        inside &= value < upper || (value == upper && !excluded);
-    }
-    if inside {
+    if range(evaluator, scope, parameter)?.contains(value) {
         return Ok(());
     }
     let range = scope.file().text(&bounds.span).trim().to_string();

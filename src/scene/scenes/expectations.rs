@@ -105,6 +105,7 @@ impl Stage<'_> {
             records: &self.columns,
             tables: &self.tables,
             varied: &self.varied,
+            fitted: &self.fitted,
         };
         let mut evaluator = Evaluator::<Sample>::new(self.mistakes);
         let (a, b): (Result<Scalar, _>, Result<Scalar, _>) =

@@ -32,9 +32,11 @@ use super::session::{Module, Session, Wanted};
 use super::words::SCENE;
 use crate::syntax::{Block, Name};
 pub(super) use plots::{column_dimension, column_name, listed};
+pub use samples::{ERRORS, FITTED};
 pub(super) use scope::fixed_quantity;
 pub(super) use stage::{Records, Stage};
 use std::rc::Rc;
+pub(super) use tables::Table;
 
 /// Blocks a scene can have, in the order they are read.
 const ORDER: &[&str] = &[

@@ -11,6 +11,7 @@ use super::stage::Records;
 use super::tables::Tables;
 use crate::syntax::{Argument, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::Dimension;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The names in an expectation.
@@ -21,7 +22,14 @@ pub(super) struct SampleScope<'a> {
     pub(super) tables: &'a Tables,
     /// Columns of the varied values, in a sweep.
     pub(super) varied: &'a [String],
+    /// What a fit finds, by name.
+    pub(super) fitted: &'a BTreeMap<String, Dimension>,
 }
+
+/// Table of a fit's values, one row.
+pub const FITTED: &str = "fitted";
+/// Table of their standard errors, one row.
+pub const ERRORS: &str = "standard errors";
 
 impl Scope<Sample> for SampleScope<'_> {
     fn file(&self) -> &Rc<File> {
@@ -29,7 +37,7 @@ impl Scope<Sample> for SampleScope<'_> {
     }
 
     fn name(&self, evaluator: &mut Evaluator<Sample>, name: &Name) -> Option<Outcome> {
-        self.lets.name(evaluator, self, name)
+        self.lets.name(evaluator, self, name).or_else(|| self.fitted(evaluator, FITTED, &name.text).map(Ok))
     }
 
     fn member(
@@ -37,8 +45,26 @@ impl Scope<Sample> for SampleScope<'_> {
         evaluator: &mut Evaluator<Sample>,
         base: ExprId,
         name: &Name,
-        _span: &Span,
+        span: &Span,
     ) -> Option<Outcome> {
+        if let Some(value) = self.fitted(evaluator, FITTED, self.file.text(span)) {
+            return Some(Ok(value));
+        }
+        if !self.fitted.is_empty() {
+            // a part of a longer name: `media` of `media.goh.k1`
+            let message = format!("the fit does not vary `{}`", self.file.text(span));
+            let known: Vec<&str> = self.fitted.keys().map(String::as_str).collect();
+            let help = Some(format!("what it finds is {}", known.join(", ")));
+            let file = self.file;
+            return Some(Err(evaluator.mistakes.report(
+                file,
+                Code::UnknownName,
+                span.clone(),
+                message,
+                "",
+                help,
+            )));
+        }
         let ExprKind::Name(table) = &self.file.tree.expr(base).kind else { return None };
         let column = ColumnName {
             table: Name { text: table.clone(), span: self.file.span(base) },
@@ -58,6 +84,16 @@ impl Scope<Sample> for SampleScope<'_> {
             return Some(outcome);
         }
         let [argument] = arguments else { return None };
+        if function.text == "error" && !self.fitted.is_empty() {
+            let written = self.file.expression(argument.value);
+            return Some(match self.fitted(evaluator, ERRORS, written) {
+                Some(value) if written.contains('.') => Ok(value),
+                _ => {
+                    let required = "`error` takes a parameter the fit varies";
+                    Err(evaluator.wrong_form(self.file, &self.file.span(argument.value), "this", required))
+                }
+            });
+        }
         let sample = match function.text.as_str() {
             "max" => |record, column| Sample::Max { record, column },
             "min" => |record, column| Sample::Min { record, column },
@@ -129,6 +165,21 @@ impl SampleScope<'_> {
             between_neighbours,
         });
         Ok(Value::scalar(leaf, Dimension::NUMBER))
+    }
+
+    /// What a fit finds under a name as written; of an array its elements.
+    fn fitted(&self, evaluator: &mut Evaluator<Sample>, table: &str, written: &str) -> Option<Value> {
+        let name: String = written.split_whitespace().collect();
+        let mut one = |name: &str| {
+            let dimension = *self.fitted.get(name)?;
+            let sample = Sample::Final { record: table.into(), column: name.into() };
+            Some(Value::scalar(evaluator.graph.leaf(sample), dimension))
+        };
+        if let Some(value) = one(&name) {
+            return Some(value);
+        }
+        let elements: Vec<Value> = (1..).map_while(|index| one(&format!("{name}[{index}]"))).collect();
+        (!elements.is_empty()).then_some(Value::List(elements))
     }
 
     fn column(&self, evaluator: &mut Evaluator<Sample>, name: &ColumnName) -> Outcome {

@@ -30,7 +30,7 @@ pub(in crate::scene) struct Stage<'a> {
     pub(in crate::scene) lets: Lets,
     pub(in crate::scene) materials: &'a Materials,
     /// Tables read by `let name = csv(…)`; `None` where one could not be read.
-    pub(super) tables: Tables,
+    pub(in crate::scene) tables: Tables,
     /// Names of bodies, of those that are wrong as well.
     pub(super) body_names: Vec<Name>,
     /// Dimensions of the columns of each record; `None` where a column is wrong.
@@ -39,6 +39,8 @@ pub(in crate::scene) struct Stage<'a> {
     pub(in crate::scene) abscissa: String,
     /// Columns of the varied values of a sweep, the first the one an order runs over.
     pub(in crate::scene) varied: Vec<String>,
+    /// What a fit finds, by name: dimensions of parameters and of numbers of its own.
+    pub(in crate::scene) fitted: BTreeMap<String, Dimension>,
     /// Names of records, frames and plots.
     pub(super) outputs: BTreeMap<String, Name>,
     /// Where each prescribed motion is written, in the order of the scene's.
@@ -80,6 +82,7 @@ impl<'a> Stage<'a> {
             columns: BTreeMap::new(),
             abscissa: TIME.into(),
             varied: Vec::new(),
+            fitted: BTreeMap::new(),
             outputs: BTreeMap::new(),
             sites: Vec::new(),
             load_sites: Vec::new(),
@@ -235,7 +238,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Several of the words a key allows.
-    pub(super) fn chosen_list(
+    pub(in crate::scene) fn chosen_list(
         &mut self,
         site: &Site,
         declaration: &Declaration,

@@ -11,25 +11,25 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Tables by name; `None` where one could not be read.
-pub(super) type Tables = BTreeMap<String, Option<Rc<Table>>>;
+pub(in crate::scene) type Tables = BTreeMap<String, Option<Rc<Table>>>;
 
 /// A table and the dimensions of its columns.
 #[derive(Debug)]
-pub(super) struct Table {
-    pub(super) reference: Reference,
+pub(in crate::scene) struct Table {
+    pub(in crate::scene) reference: Reference,
     /// In the order of the reference's columns.
-    pub(super) dimensions: Vec<Dimension>,
+    pub(in crate::scene) dimensions: Vec<Dimension>,
 }
 
 impl Table {
     /// The dimension of a column.
-    pub(super) fn dimension(&self, column: &str) -> Option<Dimension> {
+    pub(in crate::scene) fn dimension(&self, column: &str) -> Option<Dimension> {
         let index = self.reference.columns.iter().position(|(name, _)| name == column)?;
         self.dimensions.get(index).copied()
     }
 
     /// The names of the columns.
-    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+    pub(in crate::scene) fn names(&self) -> impl Iterator<Item = &str> {
         self.reference.columns.iter().map(|(name, _)| name.as_str())
     }
 }
@@ -42,7 +42,7 @@ struct Text<'a> {
 
 impl Stage<'_> {
     /// Reads `csv("path", name = "column", …)`.
-    pub(super) fn table(&mut self, id: ExprId) -> Result<Table, Reported> {
+    pub(in crate::scene) fn table(&mut self, id: ExprId) -> Result<Table, Reported> {
         let file = Rc::clone(&self.file);
         let ExprKind::Call { arguments, .. } = &file.tree.expr(id).kind else { return Err(Reported) };
         let mut path = None;

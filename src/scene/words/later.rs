@@ -1,22 +1,6 @@
-//! Blocks this version reads but does not carry out, and statements that are no blocks.
+//! Statements that are no blocks.
 
-use crate::schema::{Declaration, Target, Word};
-
-const fn block(
-    word: &'static str,
-    within: Option<&'static str>,
-    target: Target,
-    doc: &'static str,
-) -> Declaration {
-    Declaration { word, doc, within, target, keys: &[], members: &[], example: "", available: false }
-}
-
-/// `check material { … }`
-pub(super) static CHECK: Declaration =
-    block("check", None, Target::Name, "What must hold of a material law itself, with no scene.");
-
-/// `fit name { … }`
-pub(super) static FIT: Declaration = block("fit", None, Target::Name, "Parameters of a material from data.");
+use crate::schema::Word;
 
 /// Statements.
 pub(super) static STATEMENTS: &[Word] = &[
@@ -36,7 +20,7 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "let",
         form: "let w = 30 s^-1",
         doc: "A name for an expression.",
-        context: "in `energy`, `material`, `scene`, `drive`, `sweep` and `trade`",
+        context: "in `energy`, `material`, `scene`, `drive`, `fit`, `sweep` and `trade`",
     },
     Word {
         word: "fibre",
@@ -60,13 +44,13 @@ pub(super) static STATEMENTS: &[Word] = &[
         word: "expect",
         form: "expect a == b within 1 % at record.column = [v, w]",
         doc: "What must hold of the recorded tables.",
-        context: "in `scene`, `drive`, `sweep` and `trade`",
+        context: "in `scene`, `drive`, `fit`, `sweep` and `trade`",
     },
     super::sweep::VARY,
     Word {
         word: "csv",
         form: "csv(\"data.csv\", d = \"disp_mm\")",
         doc: "A table from a file; the unit is the last part of a column's name.",
-        context: "in `scene` and `drive`",
+        context: "in `scene`, `drive` and `fit`",
     },
 ];

@@ -4,9 +4,11 @@
 //! syntax and no values.
 
 mod body;
+mod check;
 mod drive;
 mod expressions;
 mod figure;
+mod fit;
 mod later;
 mod law;
 mod load;
@@ -18,11 +20,13 @@ mod sweep;
 use crate::schema::{Declaration, Vocabulary};
 
 pub(super) use body::{BODY, BOND, SYMMETRY};
+pub(super) use check::{CHECK, CHECK_WORDS};
 pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
 pub(super) use expressions::{
     ENERGY_WORDS, FIELD_WORDS, FILE_SHAPES, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES,
 };
 pub(super) use figure::{BAND, DIMENSION, DISC, FIGURE, NOTE, OUTLINE, PANEL, SERIES, SOURCE};
+pub(super) use fit::{FIT, FIT_WORDS};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, START, TRACTION};
 pub(super) use motion::MOTION;
@@ -68,8 +72,8 @@ static BLOCKS: &[&Declaration] = &[
     &SWEEP_RECORD,
     &SWEEP_PLOT,
     &TRADE,
-    &later::CHECK,
-    &later::FIT,
+    &CHECK,
+    &FIT,
     &MOTION,
 ];
 
@@ -87,6 +91,8 @@ static VOCABULARY: Vocabulary = Vocabulary {
         PATHS,
         POINT_WORDS,
         SWEEP_WORDS,
+        FIT_WORDS,
+        CHECK_WORDS,
         later::STATEMENTS,
     ],
 };

@@ -1,6 +1,5 @@
 //! Strong ellipticity, outwards from rest.
 
-use super::STRETCHES;
 use crate::energy::audit::{Ellipticity, Subject, ellipticity};
 use crate::tensor::{Mat3, Vec3};
 use rayon::prelude::*;
@@ -72,13 +71,13 @@ pub(super) fn ways(named: &[(String, Vec3)]) -> Vec<(String, Way)> {
 }
 
 /// Scans the ways outwards from rest.
-pub(super) fn paths(subject: &Subject, named: &[(String, Vec3)]) -> Vec<EllipticPath> {
+pub(super) fn paths(subject: &Subject, named: &[(String, Vec3)], stretches: [f64; 2]) -> Vec<EllipticPath> {
     let ways = ways(named);
     let rest = ellipticity(subject, &Mat3::identity());
-    ways.into_par_iter().map(|(path, way)| scan(subject, path, way, rest)).collect()
+    ways.into_par_iter().map(|(path, way)| scan(subject, path, way, rest, stretches)).collect()
 }
 
-fn scan(subject: &Subject, path: String, way: Way, rest: Ellipticity) -> EllipticPath {
+fn scan(subject: &Subject, path: String, way: Way, rest: Ellipticity, stretches: [f64; 2]) -> EllipticPath {
     let mut found = EllipticPath {
         path,
         smallest: rest.smallest,
@@ -94,9 +93,9 @@ fn scan(subject: &Subject, path: String, way: Way, rest: Ellipticity) -> Ellipti
         found.travel = Some(rest.travel.into());
         return found;
     }
-    let [low, high] = STRETCHES;
-    for end in [low, high] {
-        let steps = libm::round((end - 1.0).abs() / STEP) as u32;
+    for end in stretches {
+        // Bounded: a range that is asked about ends below 100.
+        let steps = libm::ceil((end - 1.0).abs() / STEP - 1e-9) as u32;
         let mut last = 1.0;
         for step in 1..=steps {
             let stretch = 1.0 + (end - 1.0) * f64::from(step) / f64::from(steps);

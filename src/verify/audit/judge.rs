@@ -1,6 +1,5 @@
 //! What a material must satisfy, should satisfy, and had better be known for.
 
-use super::STRETCHES;
 use super::elliptic::EllipticPath;
 use super::quadrature::Quadrature;
 use super::render::quantity;
@@ -67,6 +66,7 @@ const VOLUMES: ([f64; 2], usize) = ([0.5, 2.0], 60);
 pub(super) fn properties(
     subject: &Subject,
     ellipticity: &[EllipticPath],
+    stretches: [f64; 2],
     quadrature: Option<Quadrature>,
 ) -> Vec<Property> {
     let f = generic(subject);
@@ -76,8 +76,8 @@ pub(super) fn properties(
         round_off("objective", "|P(QF) - Q P(F)|/|P|", objectivity_error(subject, &f)),
         round_off("symmetric_tangent", "|A - A^T|/|A|", asymmetry_of_tangent(subject, &f)),
         material_symmetry(subject, &f, quadrature.as_ref()),
-        elliptic(ellipticity),
-        ordered(subject),
+        elliptic(ellipticity, stretches),
+        ordered(subject, stretches),
         convex_in_volume(subject),
         grows(subject),
         feels_volume(subject),
@@ -153,7 +153,7 @@ fn stress_free(subject: &Subject) -> Property {
     round_off("stress_free", "|P(I)|/|A(I)|", error)
 }
 
-fn elliptic(paths: &[EllipticPath]) -> Property {
+fn elliptic(paths: &[EllipticPath], [low, high]: [f64; 2]) -> Property {
     let lost = places(paths, |path| [path.lost_in_compression, path.lost_in_tension]);
     let unknown = places(paths, |path| [path.unknown_in_compression, path.unknown_in_tension]);
     let at_rest = paths.iter().find(|path| path.lost_in_tension == Some(1.0)).and_then(|path| path.travel);
@@ -161,7 +161,6 @@ fn elliptic(paths: &[EllipticPath]) -> Property {
     let (measured, place) = smallest.map_or((f64::NAN, String::new()), |path| {
         (path.smallest, format!("{:.3} of {}", path.smallest_at, path.path))
     });
-    let [low, high] = STRETCHES;
     let mut found = match at_rest {
         Some([x, y, z]) => {
             format!("lost at rest: no stiffness against a wave along [{x:.2}, {y:.2}, {z:.2}]")
@@ -188,8 +187,7 @@ fn places(paths: &[EllipticPath], at: fn(&EllipticPath) -> [Option<f64>; 2]) -> 
     paths.iter().filter_map(on_path).collect::<Vec<_>>().join(", ")
 }
 
-fn ordered(subject: &Subject) -> Property {
-    let [low, high] = STRETCHES;
+fn ordered(subject: &Subject, [low, high]: [f64; 2]) -> Property {
     let property = "baker_ericksen";
     let Some(worst) = baker_ericksen(subject, low, high, EDGE) else {
         let found = "asked of isotropic laws only".into();

@@ -6,22 +6,28 @@
 mod elliptic;
 mod joins;
 mod judge;
+mod map;
 mod quadrature;
 mod render;
 mod rest;
 
 use crate::energy::audit::{Subject, moduli};
 use crate::energy::{EnergyError, Law};
-use crate::scene::{Coordinate, Direction, Material};
+use crate::scene::{Check, Coordinate, Direction, Material};
 use crate::tensor::{Mat3, Vec3};
 use serde::Serialize;
 
 pub use elliptic::EllipticPath;
 pub use judge::{Property, Standing};
+pub use map::ellipticity_map;
+pub(crate) use render::quantity;
 pub use rest::{Along, Pulled, Side};
 
 /// Stretches scanned, from the strongest compression to the strongest tension.
 pub const STRETCHES: [f64; 2] = [0.7, 1.4];
+
+/// Stretch up to which bars are pulled where no check says what is expected.
+const PULLED: f64 = 1.1;
 
 /// Place at which a direction that depends on place is taken, m; off every axis and plane.
 const PLACE: [f64; 3] = [1e-3, 2e-3, 3e-3];
@@ -53,14 +59,52 @@ pub struct MaterialAudit {
     pub ellipticity: Vec<EllipticPath>,
     /// What holds and what does not.
     pub properties: Vec<Property>,
+    /// What the file requires.
+    pub requirements: Vec<Requirement>,
+}
+
+/// A property the file requires.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Requirement {
+    /// The property.
+    pub property: String,
+    /// Whether the law has it.
+    pub is_met: bool,
+    /// Where it is required: `file:line`.
+    pub place: String,
 }
 
 impl MaterialAudit {
-    /// Measures a material.
+    /// Measures a material over [`STRETCHES`].
     ///
     /// # Errors
     /// If its energy cannot be differentiated.
     pub fn of(material: &Material) -> Result<Self, EnergyError> {
+        Self::over(material, STRETCHES, PULLED)
+    }
+
+    /// Measures what a check asks about its material.
+    ///
+    /// # Errors
+    /// As [`MaterialAudit::of`].
+    pub fn of_check(check: &Check) -> Result<Self, EnergyError> {
+        let pulled = check.stretches.map_or(PULLED, |[_, high]| high);
+        let mut audit = Self::over(&check.material, check.stretches.unwrap_or(STRETCHES), pulled)?;
+        let requirement = |wanted: &String| {
+            let found = audit.properties.iter().find(|property| property.property == wanted);
+            Requirement {
+                property: wanted.clone(),
+                // A question that does not arise has no answer to rely on.
+                is_met: found.is_some_and(|property| property.standing == Standing::Holds),
+                place: format!("{}:{}", check.place.file, check.place.line),
+            }
+        };
+        audit.requirements = check.require.iter().map(requirement).collect();
+        Ok(audit)
+    }
+
+    /// Measures a material over a range of stretches, bars pulled up to `pulled`.
+    fn over(material: &Material, stretches: [f64; 2], pulled: f64) -> Result<Self, EnergyError> {
         let values: Vec<f64> = material.parameters.iter().map(|parameter| parameter.value).collect();
         let law = Law::compile(&material.energy, &values)?;
         let given: Vec<Vec3> = material.directions.iter().map(vector).collect();
@@ -68,11 +112,12 @@ impl MaterialAudit {
         let named = named(material);
         let rest = law.wave_speeds(&Mat3::identity(), &given, material.density).ok();
         let moduli = moduli(&subject);
-        let ellipticity = elliptic::paths(&subject, &named);
+        let ellipticity = elliptic::paths(&subject, &named, stretches);
         let varying = material.directions.iter().chain(&material.frame).filter(|direction| varies(direction));
         let mut properties = judge::properties(
             &subject,
             &ellipticity,
+            stretches,
             quadrature::error(&subject, material, &values, &named)?,
         );
         properties.extend(joins::property(&subject, material, &values, &named)?);
@@ -89,19 +134,21 @@ impl MaterialAudit {
             shear_wave_speed: rest.map(|speeds| speeds.shear),
             along: named
                 .iter()
-                .map(|(name, along)| Along::of(&subject, material.density, name, along))
+                .map(|(name, along)| Along::of(&subject, material.density, name, along, pulled))
                 .collect(),
-            stretches: STRETCHES,
+            stretches,
             properties,
             ellipticity,
+            requirements: Vec::new(),
         })
     }
 
-    /// Whether everything holds without which no computation makes sense.
+    /// Whether everything holds without which no computation makes sense, and what the file requires.
     ///
-    /// Losing ellipticity is a property of the law, told but not refused.
+    /// Losing ellipticity is a property of the law, told but not refused unless the file does.
     pub fn is_sound(&self) -> bool {
         self.properties.iter().all(|property| property.standing != Standing::Broken)
+            && self.requirements.iter().all(|requirement| requirement.is_met)
     }
 }
 

@@ -11,7 +11,7 @@ const LABEL: usize = 34;
 const PREFIXES: [(f64, &str); 5] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m")];
 
 /// A value with four digits and the prefix that leaves one to three before the point.
-pub(super) fn quantity(value: f64, unit: &str) -> String {
+pub(crate) fn quantity(value: f64, unit: &str) -> String {
     if !value.is_finite() {
         return "not finite".into();
     }
@@ -64,6 +64,14 @@ impl fmt::Display for MaterialAudit {
                 Standing::NotAsked => "-    ",
             };
             writeln!(f, "  {mark}  {:<26} {}", property.property.replace('_', " "), property.found)?;
+        }
+        if let Some(first) = self.requirements.first() {
+            let [low, high] = self.stretches;
+            writeln!(f, "  required at {} over stretches {low} to {high}", first.place)?;
+        }
+        for requirement in &self.requirements {
+            let mark = if requirement.is_met { "met  " } else { "UNMET" };
+            writeln!(f, "  {mark}  {}", requirement.property.replace('_', " "))?;
         }
         Ok(())
     }

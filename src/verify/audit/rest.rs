@@ -10,11 +10,8 @@ const REST: f64 = 1e-6;
 /// Strain at which the toe of the curve is looked at a second time.
 const TOE: f64 = 1e-2;
 
-/// Stretch up to which the bar is pulled for its waves.
-const PULLED: f64 = 1.1;
-
-/// Steps to get there; each starts from the last.
-const STEPS: u32 = 10;
+/// Length of the steps to the largest stretch; each starts from the last.
+const STEP: f64 = 0.01;
 
 /// A bar along one direction, free on its sides.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -44,7 +41,7 @@ pub struct Side {
     pub slope_at_one_percent: Option<f64>,
 }
 
-/// The bar at the largest stretch up to 1.1 at which it is in equilibrium.
+/// The bar at the largest stretch that is looked at and at which it is in equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Pulled {
     /// The stretch.
@@ -60,14 +57,14 @@ pub struct Pulled {
 }
 
 impl Along {
-    /// Measures a bar along a unit vector; `density` in kg/m³.
-    pub(super) fn of(subject: &Subject, density: f64, name: &str, along: &Vec3) -> Self {
+    /// Measures a bar along a unit vector, pulled up to a stretch; `density` in kg/m³.
+    pub(super) fn of(subject: &Subject, density: f64, name: &str, along: &Vec3, pulled: f64) -> Self {
         Self {
             name: name.into(),
             direction: [along.x, along.y, along.z],
             tension: Side::of(subject, along, 1.0),
             compression: Side::of(subject, along, -1.0),
-            pulled: Pulled::of(subject, density, along),
+            pulled: Pulled::of(subject, density, along, pulled),
             overflow_stretch: overflow_stretch(subject, along),
         }
     }
@@ -82,11 +79,13 @@ impl Side {
 }
 
 impl Pulled {
-    fn of(subject: &Subject, density: f64, along: &Vec3) -> Option<Self> {
+    fn of(subject: &Subject, density: f64, along: &Vec3, pulled: f64) -> Option<Self> {
         let mut start = Mat3::identity();
         let mut reached = None;
-        for step in 1..=STEPS {
-            let stretch = 1.0 + (PULLED - 1.0) * f64::from(step) / f64::from(STEPS);
+        // Bounded: a range that is asked about ends below 100.
+        let steps = libm::ceil((pulled - 1.0) / STEP - 1e-9).max(1.0) as u32;
+        for step in 1..=steps {
+            let stretch = 1.0 + (pulled - 1.0) * f64::from(step) / f64::from(steps);
             let Some(bar) = uniaxial(subject, along, stretch, &start) else { break };
             start = bar.f;
             reached = Some((stretch, bar));
