@@ -70,14 +70,20 @@ fn after_twenty_steps(scene: &Scene, plan: &Plan) -> Vec<f64> {
 /// Particles above which a scene is made coarser: what a plan may drop does not depend on their number.
 const MANY: f64 = 20_000.0;
 
-/// Three times the spacing where there are many particles.
-fn coarsened(mut scene: Scene) -> Scene {
+/// Four times the spacing where there are many particles, or three where four do not divide the body.
+fn coarsened(scene: Scene) -> Scene {
+    let coarser = by(&scene, 4.0);
+    if Simulation::new(&coarser, &Plan::new(&coarser)).is_ok() { coarser } else { by(&scene, 3.0) }
+}
+
+fn by(scene: &Scene, factor: f64) -> Scene {
+    let mut scene = scene.clone();
     let planes = scene.symmetry.iter().flatten().count() as i32;
     for body in &mut scene.bodies {
         let (low, high) = body.shape.bounds();
         let cells = (high - low).product() / body.spacing.powi(3) / 2.0_f64.powi(planes);
         if cells > MANY {
-            body.spacing *= 3.0;
+            body.spacing *= factor;
         }
     }
     scene

@@ -85,8 +85,15 @@ fn worst(volume: Volume, is_total: bool) -> f64 {
             let largest = rows().map(|row| difference(row, k).abs()).fold(0.0, f64::max);
             let gap = |row: usize| (found[row][index][k] - difference(row, k)).abs();
             let error = rows().map(gap).fold(0.0, f64::max);
-            // what does not answer at all, such as the constraint's stress of a compressible law, must not
-            if largest > 0.0 { error / largest } else { error }
+            let size = plus.iter().map(|point| seen(point)[k].abs()).fold(0.0, f64::max);
+            // what does not answer at all, such as the stress of a law without volume change to its bulk
+            // modulus, must not: a difference resolves 1e-16 of the size over twice 1e-4 of the parameter
+            let answers = largest * parameters[index] > 1e-9 * size;
+            match (answers, size > 0.0) {
+                (true, _) => error / largest,
+                (false, true) => error * parameters[index] / size,
+                (false, false) => error,
+            }
         };
         worst = (0..4).map(compared).fold(worst, f64::max);
     }

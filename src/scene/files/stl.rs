@@ -17,7 +17,8 @@ pub(in crate::scene) fn triangles(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Fi
         return Ok(bytes[HEADER..].chunks_exact(TRIANGLE).map(triangle).collect());
     }
     match std::str::from_utf8(bytes) {
-        Ok(text) if text.trim_start().starts_with("solid") => of_text(text),
+        // a text holds no zero byte; a binary file that breaks off may be one otherwise
+        Ok(text) if text.trim_start().starts_with("solid") && !bytes.contains(&0) => of_text(text),
         _ if count.is_some() => Err(FileError::Short { what: "triangles" }),
         _ => Err(FileError::Missing { word: "solid".into() }),
     }

@@ -136,27 +136,6 @@ fn decoded(text: &str, kind: &str, wide: bool) -> Result<Vec<f64>, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::{Frame, FrameField};
-    use crate::tensor::Vec3;
-
-    #[test]
-    fn a_frame_of_this_program_is_read_back() {
-        let reference: Vec<Vec3> = (0..8).map(|k| Vec3::new(f64::from(k), 0.1, -2.0)).collect();
-        let volume: Vec<f64> = (0..8).map(|k| 0.5 + f64::from(k)).collect();
-        let frame = Frame {
-            displacement: vec![Vec3::zeros(); 8],
-            hexahedra: vec![[0, 1, 2, 3, 4, 5, 6, 7]],
-            fields: vec![FrameField::scalar("V", "m^3", &volume)],
-            reference: reference.clone(),
-            ..Frame::default()
-        };
-        let text = frame.to_vtu().expect("the frame is whole");
-        let read = points(&text, Some("V")).expect("the file is whole");
-        assert_eq!(read.position, reference.iter().map(|x| [x.x, x.y, x.z]).collect::<Vec<_>>());
-        assert_eq!((read.cell, read.data), (vec![[0, 1, 2, 3, 4, 5, 6, 7]], Some(volume)));
-        assert_eq!(points(&text, Some("W")), Err(FileError::Missing { word: "DataArray Name=\"W\"".into() }));
-        assert!(points(&text[..text.len() / 2], None).is_err());
-    }
 
     #[test]
     fn numbers_as_text_are_read_and_words_refused() {
@@ -166,5 +145,7 @@ mod tests {
         assert_eq!((read.position, read.cell.len()), (vec![[0.0; 3], [1.0, 2.0, 3.0]], 0));
         let told = FileError::NotANumber { found: "two".into(), line: 3 };
         assert_eq!(points(&text.replace("2e0", "two"), None), Err(told));
+        assert_eq!(points(text, Some("W")), Err(FileError::Missing { word: "<PointData>".into() }));
+        assert!(points(&text[..text.len() / 2], None).is_err());
     }
 }
