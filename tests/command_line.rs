@@ -328,7 +328,9 @@ fn a_fit_writes_parameters_tables_and_figures_and_holds_its_expectations() {
     // P = mu (l - 1/l^2) with mu = 10 kPa over 2 mm^2, in N, a little off
     let rows: String = (1..=12)
         .map(|i| 1.0 + 0.08 * f64::from(i))
-        .map(|l| (l, 0.02 * (l - 1.0 / (l * l)) * if (l * 50.0) as u32 % 2 == 0 { 1.01 } else { 0.99 }))
+        .map(|l| {
+            (l, 0.02 * (l - 1.0 / (l * l)) * if ((l * 50.0) as u32).is_multiple_of(2) { 1.01 } else { 0.99 })
+        })
         .map(|(l, force)| format!("{l},{force},1\n"))
         .collect();
     // a last row that weighs nothing
