@@ -53,7 +53,9 @@ impl Scope<Sample> for SampleScope<'_> {
         if !self.fitted.is_empty() {
             // a part of a longer name: `media` of `media.goh.k1`
             let message = format!("the fit does not vary `{}`", self.file.text(span));
-            let known: Vec<&str> = self.fitted.keys().map(String::as_str).collect();
+            let mut known: Vec<&str> = self.fitted.keys().map(String::as_str).collect();
+            // parameters first, then the numbers every fit has
+            known.sort_by_key(|name| !name.contains('.'));
             let help = Some(format!("what it finds is {}", known.join(", ")));
             let file = self.file;
             return Some(Err(evaluator.mistakes.report(
