@@ -197,3 +197,36 @@ drive circ {
     let outcome = drive(&DriveJob { drive: &document.drives[0], provenance, folder: None }).expect("set up");
     assert_eq!(outcome.report.status, RunStatus::Held, "{:?}", outcome.report.expectations);
 }
+
+/// Another law beside the common one.
+const FOAM: &str =
+    "material foam { energy = neo_hooke(mu = 20 kPa) + vol_quadratic(K = 60 kPa)  density = 1000 kg/m^3 }\n";
+
+/// Mirrored in two axes `J` is as positive as before, so a coarse step could end there.
+#[test]
+fn one_long_step_ends_on_the_branch_of_many_short_ones() {
+    let width = |steps: u32| {
+        let outcome = driven(&format!(
+            "{FOAM}drive pull {{ material = foam  path = uniaxial(x, stretch = 1 .. 4, steps = {steps})  record test {{ width = F.yy }} }}"
+        ));
+        *column(&outcome, "width").last().expect("a point")
+    };
+    let (one, many) = (width(1), width(200));
+    // both solved to round-off of stresses of some hundred shear moduli
+    assert!(many > 0.0 && (one / many - 1.0).abs() < 1e-12, "{one} against {many}");
+}
+
+/// `σ.xy = σ.yy = 0` leaves no `P.yx`, so a prescribed one has no equilibrium however far one goes.
+#[test]
+fn loads_that_contradict_one_another_are_no_equilibrium_far_away() {
+    let outcome = driven(&format!(
+        "{FOAM}drive shear {{
+  material = foam
+  path = deformation(F = [[1 + w, free, 0], [P(w*1 kPa), free, 0], [0, 0, free]], w = 0 .. 0.5, steps = 5)
+  record test {{ J = J }}
+}}"
+    ));
+    let told = outcome.failure.as_ref().expect("it stops").to_string();
+    assert!(told.contains("no equilibrium"), "{told}");
+    assert!(column(&outcome, "J").iter().all(|j| (0.1..10.0).contains(j)));
+}

@@ -21,7 +21,7 @@ pub fn check(options: &CheckOptions) -> Exit {
                 if options.json {
                     documents.push(json!({ "file": file.to_string_lossy(), "error": message }));
                 } else {
-                    eprintln!("{message}");
+                    tell!("{message}");
                 }
             }
             Ok(input) => {
@@ -61,7 +61,7 @@ fn audit(input: &Input) -> (Vec<MaterialAudit>, bool) {
                 audits.push(audit);
             }
             Err(cause) => {
-                eprintln!("error: material `{}`: {cause}", material.name);
+                tell!("error: material `{}`: {cause}", material.name);
                 sound = false;
             }
         }
@@ -100,7 +100,7 @@ fn asked(input: &Input) -> Vec<Asked<'_>> {
 /// Writes the map of each material; whether all were written.
 fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
     if let Err(cause) = std::fs::create_dir_all(folder) {
-        eprintln!("error: cannot make {}: {cause}", folder.display());
+        tell!("error: cannot make {}: {cause}", folder.display());
         return false;
     }
     let mut drawn: Vec<String> = Vec::new();
@@ -111,10 +111,7 @@ fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
         let suffix = if earlier == 0 { String::new() } else { format!("_{}", earlier + 1) };
         let path = folder.join(format!("{}{suffix}.svg", material.name));
         if path.exists() && !overwrite {
-            eprintln!(
-                "error: {} exists; name another folder, or replace it with --overwrite",
-                path.display()
-            );
+            tell!("error: {} exists; name another folder, or replace it with --overwrite", path.display());
             sound = false;
             continue;
         }
@@ -125,7 +122,7 @@ fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
                 .map_err(|cause| format!("cannot write {}: {cause}", path.display()))
         });
         if let Err(cause) = written {
-            eprintln!("error: map of `{}`: {cause}", material.name);
+            tell!("error: map of `{}`: {cause}", material.name);
             sound = false;
         }
     }
@@ -134,7 +131,7 @@ fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
 
 fn print(input: &Input, audits: &[MaterialAudit]) {
     for mistake in &input.mistakes {
-        eprintln!("{}", mistake.render());
+        tell!("{}", mistake.render());
     }
     if input.mistakes.is_empty() {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
@@ -156,7 +153,7 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
             say_on!("\n{audit}");
         }
     } else {
-        eprintln!("{}: {}", input.name, count(input.mistakes.len()));
+        tell!("{}: {}", input.name, count(input.mistakes.len()));
     }
 }
 

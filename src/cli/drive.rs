@@ -19,7 +19,7 @@ pub(super) fn run_drive(options: &RunOptions, input: &Input, described: &Drive, 
     let DriveOutcome { mut report, tables, failure } = match drive(&job) {
         Ok(outcome) => outcome,
         Err(cause) => {
-            eprintln!("error: drive `{name}`: {cause}");
+            tell!("error: drive `{name}`: {cause}");
             return Exit::Failed;
         }
     };
@@ -30,12 +30,12 @@ pub(super) fn run_drive(options: &RunOptions, input: &Input, described: &Drive, 
         exit = Exit::Failed;
     }
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
-        eprintln!("error: cannot write {}: {cause}", folder.join("run.json").display());
+        tell!("error: cannot write {}: {cause}", folder.join("run.json").display());
         exit = Exit::Failed;
     }
     if let Some(cause) = failure {
-        eprintln!("error: drive `{name}` stopped: {cause}");
-        eprintln!("  every point before it is kept in {}", folder.display());
+        tell!("error: drive `{name}` stopped: {cause}");
+        tell!("  every point before it is kept in {}", folder.display());
     }
     if options.quiet {
         print_faults(&report.expectations);

@@ -13,8 +13,8 @@ pub fn explain(options: &ExplainOptions) -> Exit {
     }
     let words = vocabulary().all_words().map(|word| word.word);
     match schema::nearest(&options.word, words) {
-        Some(near) => eprintln!("error: no word `{}` in the language; did you mean `{near}`?", options.word),
-        None => eprintln!("error: no word `{}` in the language", options.word),
+        Some(near) => tell!("error: no word `{}` in the language; did you mean `{near}`?", options.word),
+        None => tell!("error: no word `{}` in the language", options.word),
     }
     Exit::WrongInput
 }

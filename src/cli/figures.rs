@@ -26,7 +26,7 @@ pub fn figures(options: &FiguresOptions) -> Exit {
     let mut files = match list(&options.from) {
         Ok(files) => files,
         Err(message) => {
-            eprintln!("error: {message}");
+            tell!("error: {message}");
             return Exit::WrongInput;
         }
     };
@@ -41,7 +41,7 @@ pub fn figures(options: &FiguresOptions) -> Exit {
     let numbers: Vec<String> = wanted.iter().map(|figure| figure.number.to_string()).collect();
     if let Some(unknown) = options.only.iter().find(|number| !numbers.contains(&number.to_string())) {
         let there = numbers.join(", ");
-        eprintln!("error: {} has no figure {unknown}; there are {there}", options.from.display());
+        tell!("error: {} has no figure {unknown}; there are {there}", options.from.display());
         return Exit::WrongInput;
     }
     wanted.retain(|figure| options.only.is_empty() || options.only.contains(&figure.number));
@@ -53,7 +53,7 @@ pub fn figures(options: &FiguresOptions) -> Exit {
     let pool = match builder.build() {
         Ok(pool) => pool,
         Err(cause) => {
-            eprintln!("error: cannot start the threads: {cause}");
+            tell!("error: cannot start the threads: {cause}");
             return Exit::Failed;
         }
     };
@@ -71,7 +71,7 @@ pub fn figures(options: &FiguresOptions) -> Exit {
             Ok(_) => {}
             Err(Stop::Explained(stop)) => exit = stop,
             Err(Stop::Because(message)) => {
-                eprintln!("error: figure {}: {message}", figure.number);
+                tell!("error: figure {}: {message}", figure.number);
                 exit = Exit::Failed;
             }
         }
@@ -213,7 +213,7 @@ fn run(
     let report: &RunReport = &outcome.report;
     write(&folder.join(REPORT), &report.to_json())?;
     if let Some(cause) = outcome.failure {
-        eprintln!("note: scene `{}` of {} stopped: {cause}", scene.name, source.file);
+        tell!("note: scene `{}` of {} stopped: {cause}", scene.name, source.file);
     } else if !options.quiet {
         say!(
             "  {}: {}, {} particles, {} steps, {:.1} s",

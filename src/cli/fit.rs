@@ -24,24 +24,24 @@ pub(super) fn run_fit(options: &RunOptions, input: &Input, described: &Fit, fold
     let FitOutcome { report, .. } = match fit(&job) {
         Ok(outcome) => outcome,
         Err(cause) => {
-            eprintln!("error: fit `{name}`: {cause}");
+            tell!("error: fit `{name}`: {cause}");
             return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
     };
     let mut exit = if report.status == RunStatus::Held { Exit::Fine } else { Exit::Failed };
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
-        eprintln!("error: cannot write {}: {cause}", folder.join("run.json").display());
+        tell!("error: cannot write {}: {cause}", folder.join("run.json").display());
         exit = Exit::Failed;
     }
     if let RunStatus::Stopped { cause } = &report.status {
-        eprintln!("error: fit `{name}` stopped: {cause}");
+        tell!("error: fit `{name}` stopped: {cause}");
     }
     if options.quiet {
         print_faults(&report.expectations);
     } else {
         print_summary(name, &report);
         for finding in &report.findings {
-            eprintln!("warning: {finding}");
+            tell!("warning: {finding}");
         }
         print_verdicts(&report.expectations);
         say!("  written to {}", folder.display());

@@ -14,7 +14,7 @@ pub fn format(options: &FmtOptions) -> Exit {
         let source = match FileSystem.load(&name) {
             Ok(text) => Source { name, text },
             Err(cause) => {
-                eprintln!("error: cannot read {name}: {cause}");
+                tell!("error: cannot read {name}: {cause}");
                 exit = Exit::WrongInput;
                 continue;
             }
@@ -22,7 +22,7 @@ pub fn format(options: &FmtOptions) -> Exit {
         match syntax::format(&source) {
             Err(diagnostics) => {
                 for diagnostic in diagnostics {
-                    eprintln!("{}", diagnostic.render(&source));
+                    tell!("{}", diagnostic.render(&source));
                 }
                 exit = Exit::WrongInput;
             }
@@ -35,7 +35,7 @@ pub fn format(options: &FmtOptions) -> Exit {
             }
             Ok(text) => {
                 if let Err(cause) = write_atomic(file, text.as_bytes()) {
-                    eprintln!("error: cannot write {}: {cause}", source.name);
+                    tell!("error: cannot write {}: {cause}", source.name);
                     exit = Exit::WrongInput;
                 }
             }

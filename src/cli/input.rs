@@ -84,16 +84,16 @@ pub fn read_runs_or_explain(path: &Path, overrides: &[(String, String)]) -> Resu
 
 fn sound(input: Result<Input, String>) -> Result<Input, Exit> {
     let input = input.map_err(|message| {
-        eprintln!("{message}");
+        tell!("{message}");
         Exit::WrongInput
     })?;
     if input.mistakes.is_empty() {
         return Ok(input);
     }
     for mistake in &input.mistakes {
-        eprintln!("{}", mistake.render());
+        tell!("{}", mistake.render());
     }
-    eprintln!("{}", count(input.mistakes.len()));
+    tell!("{}", count(input.mistakes.len()));
     Err(Exit::WrongInput)
 }
 
@@ -144,13 +144,13 @@ pub fn chosen<'a>(input: &'a Input, name: Option<&str>) -> Result<Chosen<'a>, Ex
         names.chain(sweeps.iter().map(|sweep| &sweep.name)).map(|name| format!("`{name}`")).collect();
     match name {
         Some(name) if !names.is_empty() => {
-            eprintln!(
+            tell!(
                 "error: {} has no scene, drive, fit or sweep `{name}`; it has {}",
                 input.name,
                 names.join(", ")
             );
         }
-        _ => eprintln!(
+        _ => tell!(
             "error: {} has nothing to run; write `scene name {{ … }}`, `drive name {{ … }}` or `fit name {{ … }}`",
             input.name
         ),

@@ -19,6 +19,14 @@ macro_rules! say_on {
     }};
 }
 
+/// Prints a line to the error stream; a reader that has gone away is no error of ours.
+macro_rules! tell {
+    ($($text:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($text)*);
+    }};
+}
+
 mod arguments;
 mod check;
 mod drive;

@@ -28,7 +28,7 @@ fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
     }
     for scene in chosen.scenes {
         fits(scene).map_err(|message| {
-            eprintln!("error: scene `{}`: {message}", scene.name);
+            tell!("error: scene `{}`: {message}", scene.name);
             Exit::WrongInput
         })?;
         let plan = Plan::new(scene);
@@ -46,7 +46,7 @@ fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
 /// What a few steps of a scene cost.
 fn measured(scene: &Scene, plan: &Plan) -> Result<Cost, Exit> {
     Cost::measure(scene, plan).map_err(|cause| {
-        eprintln!("error: scene `{}`: {cause}", scene.name);
+        tell!("error: scene `{}`: {cause}", scene.name);
         tell_place(&cause, scene);
         Exit::WrongInput
     })

@@ -43,7 +43,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let fitted = chosen.fits.into_iter().map(Job::Fit);
     let jobs: Vec<Job<'_>> = drives.chain(fitted).chain(scenes).chain(sweeps).filter(wanted).collect();
     if jobs.is_empty() {
-        eprintln!("error: {} has no trade; write `trade name {{ … }}`", input.name);
+        tell!("error: {} has no trade; write `trade name {{ … }}`", input.name);
         return Exit::WrongInput;
     }
     let mut builder = rayon::ThreadPoolBuilder::new();
@@ -53,7 +53,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let pool = match builder.build() {
         Ok(pool) => pool,
         Err(cause) => {
-            eprintln!("error: cannot start the threads: {cause}");
+            tell!("error: cannot start the threads: {cause}");
             return Exit::Failed;
         }
     };
@@ -62,7 +62,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     for job in jobs {
         let folder = folder(options, job.name(), several);
         if let Err(message) = prepare(&folder, options.overwrite) {
-            eprintln!("error: {message}");
+            tell!("error: {message}");
             return Exit::WrongInput;
         }
         let one = match job {
@@ -111,14 +111,14 @@ fn folder(options: &RunOptions, name: &str, several: bool) -> PathBuf {
 
 fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) -> Exit {
     if let Err(message) = fits(scene) {
-        eprintln!("error: scene `{}`: {message}", scene.name);
+        tell!("error: scene `{}`: {message}", scene.name);
         return Exit::WrongInput;
     }
     let plan = Plan::new(scene);
     let provenance = Provenance::new(&input.name, &input.hash, &scene.name);
     let job = run::Job { scene, plan: &plan, provenance, folder: Some(folder.to_path_buf()) };
     if let Err(message) = announce(folder, &job.announcement()) {
-        eprintln!("error: {message}");
+        tell!("error: {message}");
         return Exit::Failed;
     }
     let mut bar = Bar::new(&scene.name, options.quiet);
@@ -127,7 +127,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
     let Outcome { mut report, tables, failure } = match outcome {
         Ok(outcome) => outcome,
         Err(cause) => {
-            eprintln!("error: scene `{}`: {cause}", scene.name);
+            tell!("error: scene `{}`: {cause}", scene.name);
             tell_place(&cause, scene);
             return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
@@ -139,12 +139,12 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         exit = Exit::Failed;
     }
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
-        eprintln!("error: cannot write {}: {cause}", folder.join("run.json").display());
+        tell!("error: cannot write {}: {cause}", folder.join("run.json").display());
         exit = Exit::Failed;
     }
     if let Some(cause) = failure {
-        eprintln!("error: scene `{}` stopped: {cause}", scene.name);
-        eprintln!("  everything up to t = {:.4e} s is kept in {}", report.end_time, folder.display());
+        tell!("error: scene `{}` stopped: {cause}", scene.name);
+        tell!("  everything up to t = {:.4e} s is kept in {}", report.end_time, folder.display());
     }
     if !options.quiet {
         print_summary(scene, &report, folder);
@@ -157,7 +157,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
 /// Where the scene asks for what cannot be.
 pub(super) fn tell_place(cause: &RunError, scene: &Scene) {
     if let Some(Place { file, line, column }) = cause.place(scene) {
-        eprintln!(" --> {file}:{line}:{column}");
+        tell!(" --> {file}:{line}:{column}");
     }
 }
 
@@ -197,7 +197,7 @@ pub(super) fn print_verdicts(verdicts: &[ExpectationVerdict]) {
 /// The expectations that do not hold, for a quiet run.
 pub(super) fn print_faults(verdicts: &[ExpectationVerdict]) {
     for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
-        eprintln!("FAILS  {}  ({})", verdict.text, verdict.note);
+        tell!("FAILS  {}  ({})", verdict.text, verdict.note);
     }
 }
 
@@ -228,7 +228,7 @@ pub(super) fn write_figures(
         match written {
             Ok(file) => files.push(file),
             Err(cause) => {
-                eprintln!("error: plot `{name}`: {cause}");
+                tell!("error: plot `{name}`: {cause}");
                 sound = false;
             }
         }

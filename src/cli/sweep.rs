@@ -18,7 +18,7 @@ pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, 
     for point in &described.points {
         let Swept::Scene(scene) = &point.swept else { continue };
         if let Err(message) = fits(scene) {
-            eprintln!("error: sweep `{name}`: {message}");
+            tell!("error: sweep `{name}`: {message}");
             return Exit::WrongInput;
         }
     }
@@ -28,7 +28,7 @@ pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, 
     let SweepOutcome { mut report, tables, points } = match sweep(&job) {
         Ok(outcome) => outcome,
         Err(cause) => {
-            eprintln!("error: sweep `{name}`: {cause}");
+            tell!("error: sweep `{name}`: {cause}");
             return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
     };
@@ -40,11 +40,11 @@ pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, 
         exit = Exit::Failed;
     }
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
-        eprintln!("error: cannot write {}: {cause}", folder.join("run.json").display());
+        tell!("error: cannot write {}: {cause}", folder.join("run.json").display());
         exit = Exit::Failed;
     }
     if let RunStatus::Stopped { cause } = &report.status {
-        eprintln!("error: sweep `{name}` is not whole: {cause}");
+        tell!("error: sweep `{name}` is not whole: {cause}");
     }
     if options.quiet {
         print_faults(&report.expectations);

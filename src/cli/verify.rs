@@ -13,7 +13,7 @@ pub fn verify(options: &VerifyOptions) -> Exit {
             Some(topic) => topics.push(*topic),
             None => {
                 let known: Vec<&str> = Topic::ALL.iter().map(|topic| topic.name()).collect();
-                eprintln!("error: no topic `{name}`; the topics are {}", known.join(", "));
+                tell!("error: no topic `{name}`; the topics are {}", known.join(", "));
                 return Exit::WrongInput;
             }
         }
@@ -23,7 +23,7 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     }
     for path in [&options.json, &options.html].into_iter().flatten() {
         if path.exists() && !options.overwrite {
-            eprintln!("error: {} exists; name another file, or replace it with --overwrite", path.display());
+            tell!("error: {} exists; name another file, or replace it with --overwrite", path.display());
             return Exit::WrongInput;
         }
     }
@@ -32,7 +32,7 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     if let Some(text) = &options.broken {
         let broken = claims.iter_mut().filter(|claim| claim.claim.contains(text.as_str()));
         if broken.map(|claim| claim.measure = claim.control).count() == 0 {
-            eprintln!("error: no claim of these topics contains `{text}`");
+            tell!("error: no claim of these topics contains `{text}`");
             return Exit::WrongInput;
         }
     }
@@ -41,14 +41,14 @@ pub fn verify(options: &VerifyOptions) -> Exit {
         match scene_verdicts(tier) {
             Ok(list) => verdicts.extend(list),
             Err(cause) => {
-                eprintln!("error: {cause}");
+                tell!("error: {cause}");
                 return Exit::Failed;
             }
         }
     }
     if verdicts.is_empty() {
         let names: Vec<&str> = topics.iter().map(|topic| topic.name()).collect();
-        eprintln!("error: no claim is made about {} yet", names.join(", "));
+        tell!("error: no claim is made about {} yet", names.join(", "));
         return Exit::Failed;
     }
     let report = Report::from_verdicts(verdicts);
@@ -59,14 +59,14 @@ pub fn verify(options: &VerifyOptions) -> Exit {
         match drawn(&report) {
             Ok(figures) => files.push((path, report.to_html(&figures))),
             Err(cause) => {
-                eprintln!("error: {cause}");
+                tell!("error: {cause}");
                 return Exit::Failed;
             }
         }
     }
     for (path, text) in files {
         if let Err(cause) = write_atomic(path, text.as_bytes()) {
-            eprintln!("error: cannot write {}: {cause}", path.display());
+            tell!("error: cannot write {}: {cause}", path.display());
             return Exit::Failed;
         }
     }

@@ -64,6 +64,11 @@ pub enum Cause {
     TargetNotFinite,
     /// All of F is prescribed, but the stress of a constraint needs a condition.
     NoConditionForPressure,
+    /// The equations are met only far from the state before: on another branch, or by running away.
+    Leap {
+        /// `|(F − F₀) F₀⁻¹|` from the equilibrium before.
+        change: f64,
+    },
     /// The iteration stopped short of the tolerance.
     Stalled {
         /// Largest residual, of the largest entry of the tangent.
@@ -80,6 +85,13 @@ impl fmt::Display for Cause {
             Self::Singular => write!(f, "the tangent is singular"),
             Self::TargetNotFinite => write!(f, "a prescribed value is not finite"),
             Self::NoConditionForPressure => write!(f, "the pressure has no condition"),
+            Self::Leap { change } => {
+                write!(
+                    f,
+                    "the equations are met only by a leap of F by {change:.3e} of itself, so the prescribed \
+                     values may contradict one another"
+                )
+            }
             Self::Stalled { residual } => write!(f, "the residual stays at {residual:.3e}"),
         }
     }

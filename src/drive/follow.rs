@@ -159,6 +159,25 @@ impl Stop {
     }
 }
 
+/// Largest change of F a step may make, relative to the F before.
+///
+/// Mirroring two axes of stretches `a` and `b` changes F by at least √((1 + a)² + (1 + b)²) > √2, so a step below
+/// this stays on its branch; doubling a stretch at constant volume changes it by 1.08.
+const LARGEST_CHANGE: f64 = 1.25;
+
+/// The equilibrium a step found, unless it lies so far away that it may be of another branch: mirrored in two
+/// axes, which `J > 0` does not tell, or run away where the law carries nothing.
+fn near(before: &Solved, found: Solved, target: &Target) -> Result<Solved, Cause> {
+    let (old, new) = (&before.unknowns.f, &found.unknowns.f);
+    let Some(inverse) = old.try_inverse() else { return Ok(found) };
+    let change = ((new - old) * inverse).norm();
+    let is_free = target.unknowns().next().is_some();
+    if is_free && (change.is_nan() || change > LARGEST_CHANGE) {
+        return Err(Cause::Leap { change });
+    }
+    Ok(found)
+}
+
 /// Goes from the equilibrium `start` along `path` over the range of its argument.
 ///
 /// Returns the equilibrium at the end, its iterations summed over the steps, and the length of step,
@@ -175,7 +194,7 @@ fn advance(
     while part < 1.0 {
         let next = (part + length).min(1.0);
         let target = path(if next == 1.0 { to } else { from + next * (to - from) });
-        match system.solve(&solved, &target) {
+        match system.solve(&solved, &target).and_then(|step| near(&solved, step, &target)) {
             Ok(step) => {
                 let iterations = solved.iterations + step.iterations;
                 if step.iterations <= EASY {

@@ -97,6 +97,10 @@ impl Loader for FileSystem {
         if metadata.is_dir() {
             return Err(LoadError::Refused(std::io::ErrorKind::IsADirectory));
         }
+        if !metadata.is_file() {
+            // a device or a pipe has no size to hold against the limit, and may never end
+            return Err(LoadError::Refused(std::io::ErrorKind::InvalidInput));
+        }
         if metadata.len() > LARGEST {
             return Err(LoadError::TooLarge);
         }
