@@ -145,7 +145,8 @@ impl<'a> Sum<'a> {
         let mut given = Arguments::read(evaluator.mistakes, file, function, arguments, &known);
         let prefix = self.prefix(&function.text);
         given.replace(&energy, self.overrides, &[self.material, &prefix]);
-        if energy.fibres.is_some() && self.fibres == 0 {
+        let lacks_fibres = energy.fibres.is_some() && self.fibres == 0;
+        if lacks_fibres {
             let message = format!(
                 "`{}` sums over fibres, but the material `{}` has none",
                 function.text, self.material
@@ -153,9 +154,12 @@ impl<'a> Sum<'a> {
             let help = "write `fibre a1 = [1, 0, 0]` with the direction that is meant";
             let span = function.span.clone();
             evaluator.mistakes.report(file, Code::NoFibres, span, message, "needs fibres", Some(help.into()));
+        }
+        // Mistakes of its arguments are told as well.
+        let values = self.bind(evaluator, function, &energy, &given, &prefix)?;
+        if lacks_fibres {
             return Err(Reported);
         }
-        let values = self.bind(evaluator, function, &energy, &given, &prefix)?;
         let scope = energy.scope(values, (0..self.fibres as u8).collect());
         self.terms.push((function.text.clone(), energy.place.clone()));
         energy.density(evaluator, &scope)
