@@ -81,6 +81,7 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
             InterfaceStates::Off => "off",
             InterfaceStates::Constant => "constant",
             InterfaceStates::Linear => "linear",
+            InterfaceStates::Limited => "limited",
         }
         .into(),
     );

@@ -241,6 +241,9 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
             InterfaceStates::Off => format!("switched off, {}", line(&run.place)),
             InterfaceStates::Constant => "removes zero-energy modes; states of the particles (33)".into(),
             InterfaceStates::Linear => "removes zero-energy modes; states carried to mid-pair (33)".into(),
+            InterfaceStates::Limited => {
+                "removes zero-energy modes; states carried to mid-pair, no pair gains energy (33)".into()
+            }
         },
     );
     add(

@@ -330,6 +330,8 @@ pub enum InterfaceStates {
     Constant,
     /// Carried to the middle of the pair with the corrected gradient.
     Linear,
+    /// Likewise, limited so that no pair gains energy.
+    Limited,
 }
 
 /// Dissipation of the volume map, D(J).

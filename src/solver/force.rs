@@ -3,8 +3,8 @@
 //! Owns the two sums over neighbours that change momentum and the one that changes volume. Knows
 //! neither materials nor time.
 
-use super::dissipation::{Speeds, interface_momentum, interface_traction, linear_jump};
-use super::links::Links;
+use super::dissipation::{Speeds, interface_momentum, interface_traction, limited_jump, linear_jump};
+use super::links::{Links, Pair};
 use super::quad::{Columns, Quad};
 
 /// What a neighbour shows of itself to the force loop.
@@ -45,6 +45,41 @@ pub fn internal(links: &Links, a: usize, packets: &[Packet], inverse_volume: f64
     sum * inverse_volume
 }
 
+/// What the interface states of a pair are made of.
+#[derive(Debug, Clone, Copy)]
+pub struct Meeting<'a> {
+    /// `v_b − v_a`, m/s.
+    difference: Quad,
+    /// `x_b − x_a`, m.
+    distance: Quad,
+    /// `Grad v` of the two, 1/s.
+    gradients: [&'a Columns; 2],
+    /// Constants of the pair.
+    pair: &'a Pair,
+}
+
+/// Jump between the particles' own velocities, m/s.
+#[inline(always)]
+pub fn constant_states(of: Meeting<'_>) -> Quad {
+    of.difference
+}
+
+/// Jump between velocities carried to the middle of the pair, m/s.
+#[inline(always)]
+pub fn linear_states(of: Meeting<'_>) -> Quad {
+    linear_jump(of.difference, of.gradients[0], of.gradients[1], &of.pair.half_step)
+}
+
+/// The same, limited so that the pair loses energy, m/s.
+///
+/// A pair whose dissipation weighs less than nothing, as integration consistency may leave a few of on an
+/// irregular lattice, takes none and has no jump.
+#[inline(always)]
+pub fn limited_states(of: Meeting<'_>) -> Quad {
+    let weighed = if of.pair.dissipation > 0.0 { 1.0 } else { 0.0 };
+    limited_jump(linear_states(of), of.difference, of.distance) * weighed
+}
+
 /// Internal force and momentum dissipation together, one walk over the neighbours.
 ///
 /// ```text
@@ -52,16 +87,19 @@ pub fn internal(links: &Links, a: usize, packets: &[Packet], inverse_volume: f64
 ///        = 1/V_a Σ_b S_p (p⁺ − p⁻) N·(A_ab − A_ba)
 /// ```
 ///
-/// `LINEAR` carries the states to the middle of the pair. Arguments as [`internal`], and
+/// with `p⁺ − p⁻` from `jump`, one of [`constant_states`], [`linear_states`] and [`limited_states`]. Arguments as
+/// [`internal`], and
 ///
 /// | argument | meaning | unit |
 /// |---|---|---|
 /// | `position`, `velocity` | of all particles of the body | m, m/s |
 /// | `impedance` | `ρR` times the weighted wave speeds | kg m⁻² s⁻¹ |
+/// | `jump` | of velocity between the states of a pair | m/s |
 ///
 /// Returns N/m³. Pairs cancel exactly, as in [`internal`].
 #[inline(always)]
-pub fn internal_and_dissipation<const LINEAR: bool>(
+#[expect(clippy::too_many_arguments, reason = "a pure kernel takes its state as values")]
+pub fn internal_and_dissipation(
     links: &Links,
     a: usize,
     packets: &[Packet],
@@ -69,6 +107,7 @@ pub fn internal_and_dissipation<const LINEAR: bool>(
     velocity: &[Quad],
     impedance: Speeds,
     inverse_volume: f64,
+    jump: impl Fn(Meeting<'_>) -> Quad,
 ) -> Quad {
     let own = packets[a];
     let (x_a, v_a) = (position[a], velocity[a]);
@@ -78,13 +117,10 @@ pub fn internal_and_dissipation<const LINEAR: bool>(
     for ((&b, forward), pair) in pairs {
         let b = b as usize;
         let other = &packets[b];
-        let difference = velocity[b] - v_a;
-        let jump = if LINEAR {
-            linear_jump(difference, &own.gradient, &other.gradient, &pair.half_step)
-        } else {
-            difference
-        };
-        let traction = interface_traction(jump, position[b] - x_a, impedance);
+        let (difference, distance) = (velocity[b] - v_a, position[b] - x_a);
+        let gradients = [&own.gradient, &other.gradient];
+        let traction =
+            interface_traction(jump(Meeting { difference, distance, gradients, pair }), distance, impedance);
         sum += own.stress.apply(forward) - other.stress.apply(&pair.backward) + traction * pair.dissipation;
     }
     sum * inverse_volume

@@ -5,7 +5,10 @@
 
 use super::body::{Block, BodyState, CHUNK, Failure, Workspace};
 use super::dissipation::Speeds;
-use super::force::{Packet, internal, internal_and_dissipation, volume_dissipation};
+use super::force::{
+    Meeting, Packet, constant_states, internal, internal_and_dissipation, limited_states, linear_states,
+    volume_dissipation,
+};
 use super::kinematics::{area_map_rate, velocity_gradient, volume_map_rate, volume_restoring};
 use super::links::Links;
 use super::quad::{Columns, Quad};
@@ -269,18 +272,39 @@ impl ForceChunk<'_> {
     fn sums(&self, start: usize, out: &mut [Quad]) {
         let Speeds { pressure, shear } = self.terms.speeds;
         let impedance = Speeds { pressure: self.density * pressure, shear: self.density * shear };
+        match self.terms.states {
+            InterfaceStates::Off => {
+                let (links, packets, inverse) = (self.links, self.packets, self.inverse_volume);
+                self.each(start, out, |a| internal(links, a, packets, inverse[a]));
+            }
+            InterfaceStates::Constant => self.with_jumps(start, out, impedance, constant_states),
+            InterfaceStates::Linear => self.with_jumps(start, out, impedance, linear_states),
+            InterfaceStates::Limited => self.with_jumps(start, out, impedance, limited_states),
+        }
+    }
+
+    /// Accelerations with the dissipation of the jumps given.
+    #[inline(always)]
+    fn with_jumps(
+        &self,
+        start: usize,
+        out: &mut [Quad],
+        impedance: Speeds,
+        jump: impl Fn(Meeting<'_>) -> Quad,
+    ) {
         let (links, packets, inverse) = (self.links, self.packets, self.inverse_volume);
+        self.each(start, out, |a| {
+            internal_and_dissipation(links, a, packets, self.x, self.v, impedance, inverse[a], &jump)
+        });
+    }
+
+    /// Accelerations from a force of the stresses, with what acts from outside.
+    #[inline(always)]
+    fn each(&self, start: usize, out: &mut [Quad], force: impl Fn(usize) -> Quad) {
+        let inverse = self.inverse_volume;
         for (i, out) in out.iter_mut().enumerate() {
             let a = start + i;
-            *out = match self.terms.states {
-                InterfaceStates::Off => internal(links, a, packets, inverse[a]),
-                InterfaceStates::Constant => internal_and_dissipation::<false>(
-                    links, a, packets, self.x, self.v, impedance, inverse[a],
-                ),
-                InterfaceStates::Linear => {
-                    internal_and_dissipation::<true>(links, a, packets, self.x, self.v, impedance, inverse[a])
-                }
-            };
+            *out = force(a);
             if let Some(&external) = self.external.get(a) {
                 *out += external;
             }

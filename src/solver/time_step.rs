@@ -7,6 +7,7 @@ use super::body::BodyState;
 use super::pass::{ForceTerms, forces, velocity_gradients_of_body};
 use super::quad::Quad;
 use crate::discretisation::Stencils;
+use crate::scene::InterfaceStates;
 
 /// Length an elastic wave may travel in a step, m: the node spacing, or less where the stencils are
 /// stiffer than a regular lattice.
@@ -56,8 +57,13 @@ const MARGIN: f64 = 1.05;
 /// ```
 ///
 /// by power iteration from a fixed field without symmetry. The body must be unstressed and at rest
-/// in its packets; its velocities and forces are left as they were.
+/// in its packets; its velocities and forces are left as they were. Limited states take the rate of linear ones,
+/// of whose dissipation they are a part.
 pub fn dissipation_rate(body: &mut BodyState, terms: ForceTerms) -> f64 {
+    let states = match terms.states {
+        InterfaceStates::Limited => InterfaceStates::Linear,
+        states => states,
+    };
     let velocity = body.v.clone();
     let acceleration = body.acceleration.clone();
     let external = std::mem::take(&mut body.external);
@@ -72,7 +78,7 @@ pub fn dissipation_rate(body: &mut BodyState, terms: ForceTerms) -> f64 {
         let scale = 1.0 / norm(&body.v);
         body.v.iter_mut().for_each(|v| *v = *v * scale);
         velocity_gradients_of_body(body);
-        forces(body, ForceTerms { volume: None, ..terms });
+        forces(body, ForceTerms { states, volume: None, ..terms });
         rate = norm(&body.acceleration);
         if rate == 0.0 {
             break;

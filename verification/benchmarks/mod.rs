@@ -57,6 +57,8 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
         wrong: &[("rubber.E", "8 MPa"), ("column.spacing", "0.125 m")],
     },
     BenchmarkFile { path: "specs/classics/bending_column.tissue", tier: Tier::Full, wrong: &[] },
+    BenchmarkFile { path: "specs/punch/jump.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
+    BenchmarkFile { path: "specs/punch/smooth.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/fits/myocardium.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile { path: "specs/fits/rubber.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile {
@@ -95,6 +97,9 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
 
 /// Fibres of less dispersion, on a coarse lattice.
 const OTHER_FIBRES: &[(&str, &str)] = &[("adventitia.kappa", "0.1"), ("strip.spacing", "0.25 mm")];
+
+/// A plate of a third of the stiffness, on a coarse lattice.
+const SOFTER_PUNCH: &[(&str, &str)] = &[("gel.E", "15 kPa"), ("plate.spacing", "0.125 m")];
 
 /// Every scene file and every reference table of the project, by path.
 pub(crate) const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/files.rs"));

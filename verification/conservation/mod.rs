@@ -29,5 +29,6 @@ pub(crate) const CLAIMS: &[Claim] = &[
     angular::PROJECTED_SSP_RK3,
     angular::HEUN_DRIFT,
     energy::DISSIPATION,
+    energy::LIMITED,
     energy::LOSS_PER_TURN,
 ];

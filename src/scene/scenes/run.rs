@@ -146,6 +146,7 @@ impl Reader<'_, '_, '_> {
             Some("off") => run.momentum_dissipation = InterfaceStates::Off,
             Some("constant") => run.momentum_dissipation = InterfaceStates::Constant,
             Some("linear") => run.momentum_dissipation = InterfaceStates::Linear,
+            Some("limited") => run.momentum_dissipation = InterfaceStates::Limited,
             _ => {}
         }
         let weight = (0.0, 100.0);

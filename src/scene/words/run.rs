@@ -45,6 +45,7 @@ const STATES: &[Choice] = &[
     Choice { word: "off", doc: "no dissipation of momentum" },
     Choice { word: "constant", doc: "the particles' own momenta" },
     Choice { word: "linear", doc: "carried to the middle of the pair with the corrected gradient" },
+    Choice { word: "limited", doc: "as `linear`, limited so that no pair gains energy" },
 ];
 
 const VOLUME: &[Choice] = &[
