@@ -3,7 +3,11 @@
 //!
 //! `TISSUE_INPUTS=1000000 cargo test --release --test syntax_robust many -- --ignored` is the long run.
 
+#[path = "support/random.rs"]
+mod random;
+
 use proptest::prelude::*;
+use random::Random;
 use std::time::{Duration, Instant};
 use tissue::syntax::{Diagnostic, Source, SyntaxTree, decode, format as formatted, parse, parse_expression};
 
@@ -18,27 +22,6 @@ const SPECS: [&str; 5] = [
 /// Names of grammar rules that must never reach a user.
 const RULES: [&str; 8] =
     ["open_brace", "close_paren", "binding", "next_entry", "sum_operator", "unit_power", "EOI", "Rule::"];
-
-/// SplitMix64: the inputs of a seed are the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n.max(1) as u64).unwrap_or(0)
-    }
-
-    fn pick<'a>(&mut self, of: &[&'a str]) -> &'a str {
-        of[self.below(of.len())]
-    }
-}
 
 const TOKENS: [&str; 70] = [
     "tissue",

@@ -193,16 +193,11 @@ fn side(tape: &Tape<Sample>, at: Option<&At<'_>>, tables: &[Table]) -> Result<f6
 }
 
 fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, String> {
-    let fold = |record: &str, column: &str, better: fn(f64, f64) -> bool| {
-        let values = column_of(tables, record, column)?;
-        let pick = |old: f64, new: f64| if better(new, old) || new.is_nan() { new } else { old };
-        values.into_iter().reduce(pick).ok_or_else(|| format!("`{record}` has no rows"))
-    };
     match sample {
-        Sample::Max { record, column } => fold(record, column, |new, old| new > old),
-        Sample::Min { record, column } => fold(record, column, |new, old| new < old),
-        Sample::Initial { record, column } => fold(record, column, |_, _| false),
-        Sample::Final { record, column } => fold(record, column, |_, _| true),
+        Sample::Reduced { by, record, column } => {
+            let values = column_of(tables, record, column)?;
+            by.of(values).ok_or_else(|| format!("`{record}` has no rows"))
+        }
         Sample::Order { record, column, varied, between_neighbours } => {
             let values = column_of(tables, record, column)?;
             let varied: Vec<Vec<f64>> =
@@ -241,7 +236,7 @@ fn read(sample: &Sample, at: Option<&At<'_>>, tables: &[Table]) -> Result<f64, S
     }
 }
 
-fn column_of(tables: &[Table], record: &str, column: &str) -> Result<Vec<f64>, String> {
+pub(super) fn column_of(tables: &[Table], record: &str, column: &str) -> Result<Vec<f64>, String> {
     tables
         .iter()
         .find(|table| table.name == record)

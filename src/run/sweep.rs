@@ -6,7 +6,7 @@
 use super::drive::{DriveJob, drive};
 use super::error::RunError;
 use super::execute::{Job, execute};
-use super::expect::judge_all;
+use super::expect::{column_of, judge_all};
 use super::interpolate::crossing;
 use crate::output::file::write_atomic;
 use crate::output::report::RunStatus;
@@ -231,21 +231,12 @@ fn table(
 }
 
 fn read(reduced: &Reduced, varied: &[f64], computed: &Computed) -> Result<f64, String> {
-    let column = |record: &str, column: &str| {
-        let table = computed.tables.iter().find(|table| table.name == record);
-        let values = table.and_then(|table| table.column(column));
-        values.ok_or_else(|| format!("no column `{record}.{column}` was recorded"))
-    };
-    let fold = |record: &str, name: &str, better: fn(f64, f64) -> bool| {
-        let pick = |old: f64, new: f64| if better(new, old) || new.is_nan() { new } else { old };
-        column(record, name)?.into_iter().reduce(pick).ok_or_else(|| format!("`{record}` has no rows"))
-    };
+    let column = |record: &str, column: &str| column_of(&computed.tables, record, column);
     let work = &computed.report;
     match reduced {
-        Reduced::Max { record, column } => fold(record, column, |new, old| new > old),
-        Reduced::Min { record, column } => fold(record, column, |new, old| new < old),
-        Reduced::Initial { record, column } => fold(record, column, |_, _| false),
-        Reduced::Final { record, column } => fold(record, column, |_, _| true),
+        Reduced::Column { by, record, column: name } => {
+            by.of(column(record, name)?).ok_or_else(|| format!("`{record}` has no rows"))
+        }
         Reduced::Where { record, column: name, abscissa, value } => {
             let (x, y) = (column(record, abscissa)?, column(record, name)?);
             crossing(&x, &y, *value)

@@ -4,6 +4,7 @@
 
 use super::axis::{Ruler, round_below, ten};
 use super::canvas::{Anchor, Canvas, Point, page};
+use super::colour_bar::ColourBar;
 use super::colour_map::viridis;
 use super::field::FieldFigure;
 use super::model::{Axis, FigureError};
@@ -21,8 +22,6 @@ const BAR: f64 = 118.0;
 const GAP: f64 = 16.0;
 const SMALL: f64 = 16.0;
 const LARGE: f64 = 18.0;
-/// Shades of the colour bar.
-const SHADES: u32 = 128;
 
 impl FieldFigure {
     /// The figure as SVG; the same figure gives the same bytes on every machine.
@@ -147,24 +146,10 @@ impl<'a> Layout<'a> {
     }
 
     fn draw_bar(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
-        let left = f64::from(WIDTH) - BAR + 6.0;
-        let (right, top, bottom) = (left + 18.0, 22.0, self.height - 22.0);
-        let up = |fraction: f64| bottom - (bottom - top) * fraction;
-        for i in 0..SHADES {
-            let part = |i: u32| f64::from(i) / f64::from(SHADES);
-            let colour = viridis(0.5 * (part(i) + part(i + 1)));
-            // Each shade reaches under the next, so no line of paper shows between them.
-            let over = if i + 1 < SHADES { part(i + 2) } else { 1.0 };
-            canvas.box_filled((left, up(over)), (right, up(part(i))), colour)?;
-        }
-        canvas.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], INK, 1.0)?;
-        for (value, text) in &self.ruler.major {
-            let y = up(self.ruler.fraction(*value));
-            canvas.line(&[(right, y), (right + 5.0, y)], INK, 1.25)?;
-            canvas.text(text, (right + 8.0, y), SMALL, Anchor::Left, false)?;
-        }
-        let side = (f64::from(WIDTH) - 14.0, 0.5 * (top + bottom));
-        canvas.text(&self.ruler.label, side, SMALL, Anchor::Centre, true)
+        let page = f64::from(WIDTH);
+        let bar =
+            ColourBar { left: page - BAR + 6.0, top: 22.0, bottom: self.height - 22.0, label: page - 14.0 };
+        bar.draw(canvas, &self.ruler)
     }
 }
 

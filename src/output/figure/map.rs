@@ -5,6 +5,7 @@
 
 use super::axis::Ruler;
 use super::canvas::{Anchor, Canvas, Point, page, text_width};
+use super::colour_bar::ColourBar;
 use super::colour_map::viridis;
 use super::model::{Axis, FigureError, Scale};
 use super::palette::{self, Colour, INK};
@@ -16,8 +17,6 @@ const LARGE: f64 = 18.0;
 const TICK: f64 = 6.0;
 /// Width of the colour bar with its numbers and label, units.
 const BAR: f64 = 122.0;
-/// Shades of the colour bar.
-const SHADES: u32 = 128;
 /// Ground of cells nothing is known of.
 const UNKNOWN: Colour = (0xcc, 0xcc, 0xcc);
 /// Range of values from which the colours follow the logarithm.
@@ -191,23 +190,8 @@ impl<'a> Layout<'a> {
 
     fn draw_bar(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
         let [_, frame_right, top, bottom] = self.frame;
-        let (left, right) = (frame_right + 16.0, frame_right + 34.0);
-        let up = |fraction: f64| bottom - (bottom - top) * fraction;
-        for i in 0..SHADES {
-            let part = |i: u32| f64::from(i) / f64::from(SHADES);
-            let colour = viridis(0.5 * (part(i) + part(i + 1)));
-            // Each shade reaches under the next, so no line of paper shows between them.
-            let over = if i + 1 < SHADES { part(i + 2) } else { 1.0 };
-            canvas.box_filled((left, up(over)), (right, up(part(i))), colour)?;
-        }
-        canvas.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], INK, 1.0)?;
-        for (value, text) in &self.bar.major {
-            let y = up(self.bar.fraction(*value));
-            canvas.line(&[(right, y), (right + 5.0, y)], INK, 1.25)?;
-            canvas.text(text, (right + 8.0, y), SMALL, Anchor::Left, false)?;
-        }
-        let side = (f64::from(WIDTH) - 12.0, 0.5 * (top + bottom));
-        canvas.text(&self.bar.label, side, SMALL, Anchor::Centre, true)
+        let bar = ColourBar { left: frame_right + 16.0, top, bottom, label: f64::from(WIDTH) - 12.0 };
+        bar.draw(canvas, &self.bar)
     }
 
     /// What cells without a colour of the bar mean, where there are any.

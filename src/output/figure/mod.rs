@@ -3,6 +3,7 @@
 mod axis;
 mod canvas;
 mod clip;
+mod colour_bar;
 mod colour_map;
 mod curves;
 mod field;

@@ -3,8 +3,7 @@
 use super::super::evaluate::{Elsewhere, Evaluator, Required};
 use super::super::file::Reported;
 use super::super::members::Site;
-use super::super::model::Material;
-use super::super::model_drive::PathParameter;
+use super::super::model::{Material, PathParameter};
 use super::super::scenes::Stage;
 use super::constants;
 use super::scope::PathScope;

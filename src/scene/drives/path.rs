@@ -3,8 +3,7 @@
 use super::super::evaluate::{Elsewhere, Evaluator, Required};
 use super::super::file::Reported;
 use super::super::members::Site;
-use super::super::model::Material;
-use super::super::model_drive::{Path, PathParameter};
+use super::super::model::{Material, Path, PathParameter};
 use super::super::scenes::Stage;
 use super::super::words::PATHS;
 use super::scope::PathScope;

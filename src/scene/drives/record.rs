@@ -3,8 +3,8 @@
 use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Scope, Value};
 use super::super::file::{File, Reported};
 use super::super::members::Members;
-use super::super::model_drive::{PointColumn, PointProbe, PointRecord};
-use super::super::scenes::Stage;
+use super::super::model::{PointProbe, PointRecord};
+use super::super::scenes::{Stage, column};
 use super::super::words::{POINT_RECORD, POINT_WORDS};
 use super::path::Way;
 use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
@@ -20,59 +20,25 @@ pub(super) fn read(stage: &mut Stage, block: &Block, way: &Way) -> Result<PointR
     let file = Rc::clone(&stage.file);
     let members = Members::read(stage.mistakes, &file, &POINT_RECORD, block);
     stage.abscissa.clone_from(&way.parameter);
-    let mut dimensions = BTreeMap::from([(way.parameter.clone(), Some(way.dimension))]);
-    let mut columns = Vec::new();
-    let mut sound = true;
-    for (column, id) in &members.free {
-        if column.text == way.parameter {
-            let message =
-                format!("every record has the column `{}` already: it runs along the path", way.parameter);
-            stage.mistakes.report(&file, Code::DuplicateName, column.span.clone(), message, "", None);
-            sound = false;
-            continue;
+    let own = BTreeMap::from([(way.parameter.clone(), Some(way.dimension))]);
+    let refused = |column: &Name| match column.text.as_str() {
+        word if word == way.parameter => {
+            let message = format!("every record has the column `{word}` already: it runs along the path");
+            Some((Code::DuplicateName, message, None))
         }
-        if column.text == "every" {
+        "every" => {
             let message = "a record of a drive has no interval: it has one row a point of the path";
-            let help = Some("say with `steps` of the path how many there are".into());
-            stage.mistakes.report(&file, Code::UnknownKey, column.span.clone(), message, "", help);
-            sound = false;
-            continue;
+            let help = "say with `steps` of the path how many there are";
+            Some((Code::UnknownKey, message.into(), Some(help.into())))
         }
-        let value = value(stage, &file, way, column, *id);
-        sound &= value.is_ok();
-        dimensions.insert(column.text.clone(), value.as_ref().ok().map(|(_, dimension)| *dimension));
-        columns.extend(value.map(|(column, _)| column));
-    }
-    stage.columns.insert(name.text.clone(), dimensions);
-    if members.free.is_empty() {
-        let message = format!("the record `{}` has no columns", name.text);
-        let help = Some("write `name = …` with what is to be recorded, for example `P = P.xx`".into());
-        return Err(stage.mistakes.report(&file, Code::MissingKey, name.span, message, "", help));
-    }
-    if !sound {
-        return Err(Reported);
-    }
-    Ok(PointRecord { name: name.text, place: file.place(&block.kind.span), columns })
-}
-
-fn value(
-    stage: &mut Stage,
-    file: &Rc<File>,
-    way: &Way,
-    name: &Name,
-    id: ExprId,
-) -> Result<(PointColumn, Dimension), Reported> {
-    let scope = PointScope { file, lets: stage.lets.fresh(), way };
-    let mut evaluator = Evaluator::<PointProbe>::new(stage.mistakes);
-    let scalar = evaluator.scalar(&scope, id)?;
-    let column = PointColumn {
-        name: name.text.clone(),
-        place: file.place(&name.span),
-        value: evaluator.tape(scalar),
-        unit: scalar.dimension.si_symbol(),
-        text: file.expression(id).split_whitespace().collect::<Vec<_>>().join(" "),
+        _ => None,
     };
-    Ok((column, scalar.dimension))
+    let example = "is to be recorded, for example `P = P.xx`";
+    let columns = stage.read_columns(&name, &members, own, example, refused, |stage, name, id| {
+        let scope = PointScope { file: &file, lets: stage.lets.fresh(), way };
+        column(stage.mistakes, &scope, name, id)
+    })?;
+    Ok(PointRecord { name: name.text, place: file.place(&block.kind.span), columns })
 }
 
 /// The names in a record of a drive.

@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Scope, Value};
 use super::super::file::File;
-use super::super::model_drive::PathParameter;
+use super::super::model::PathParameter;
 use crate::schema::nearest;
 use crate::syntax::{Argument, Name};
 use crate::unit::Dimension;

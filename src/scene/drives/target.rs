@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Required, Scope};
 use super::super::file::{Mistakes, Reported};
-use super::super::model_drive::{PathControl, PathParameter};
+use super::super::model::{PathControl, PathParameter};
 use crate::expression::Tape;
 use crate::syntax::{Code, Diagnostic, ExprId, ExprKind};
 use crate::unit::Dimension;

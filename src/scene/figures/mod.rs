@@ -7,7 +7,7 @@ mod source;
 use super::blocks::unknown_block;
 use super::file::{File, Reported};
 use super::members::Members;
-use super::model_figure::FigureOf;
+use super::model::FigureOf;
 use super::scenes::Stage;
 use super::session::{Module, Session};
 use super::words::FIGURE;

@@ -2,8 +2,7 @@
 
 use super::super::drives::probe_of;
 use super::super::file::{File, Reported};
-use super::super::model_drive::{Drive, PointProbe};
-use super::super::model_fit::{FitColumn, FitSet, Weighing};
+use super::super::model::{Drive, FitColumn, FitSet, PointProbe, Weighing};
 use super::super::scenes::{Stage, Table};
 use super::dimension_of;
 use crate::expression::{Node, Tape};

@@ -2,9 +2,7 @@
 
 use super::super::file::{File, Reported};
 use super::super::members::Site;
-use super::super::model::{Material, MaterialParameter};
-use super::super::model_drive::Drive;
-use super::super::model_fit::Sought;
+use super::super::model::{Drive, Material, MaterialParameter, Sought};
 use super::super::scenes::Stage;
 use super::listed;
 use crate::schema::nearest;

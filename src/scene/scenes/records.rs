@@ -1,8 +1,8 @@
 //! `record` and `frames`.
 
 use super::super::blocks::block_name;
-use super::super::evaluate::Evaluator;
-use super::super::file::Reported;
+use super::super::evaluate::{Evaluator, Leaves, Scope};
+use super::super::file::{Mistakes, Reported};
 use super::super::members::{Members, duplicate};
 use super::super::model::{Column, Frames, Probe, Record};
 use super::super::words::{FRAMES, RECORD};
@@ -38,60 +38,69 @@ impl Stage<'_> {
         let every = members
             .required(self.mistakes, &file, &RECORD, block, "every")
             .and_then(|site| self.positive(&site, "every", Dimension::TIME));
-        let mut dimensions = BTreeMap::from([(TIME.to_string(), Some(Dimension::TIME))]);
+        let time = BTreeMap::from([(TIME.to_string(), Some(Dimension::TIME))]);
+        let own = |column: &Name| {
+            let message = "every record has the column `t` already: it is the time";
+            (column.text == TIME).then(|| (Code::DuplicateName, message.into(), None))
+        };
+        let example = "is to be recorded, for example `E = total_energy`";
+        let columns = self.read_columns(&name, &members, time, example, own, Self::column_value);
+        let every = every?;
+        let (columns, place) = (columns?, file.place(&block.kind.span));
+        self.scene.records.push(Record { name: name.text, place, columns, every });
+        Ok(())
+    }
+
+    /// Columns of a record and their dimensions, which are declared with those it has anyway, mistakes or none.
+    ///
+    /// `refused` tells which names it may not give a column and why; `example` ends the help of an empty record.
+    pub(in crate::scene) fn read_columns<L>(
+        &mut self,
+        record: &Name,
+        members: &Members,
+        mut dimensions: BTreeMap<String, Option<Dimension>>,
+        example: &str,
+        refused: impl Fn(&Name) -> Option<(Code, String, Option<String>)>,
+        read: impl Fn(&mut Self, &Name, ExprId) -> Result<(Column<L>, Dimension), Reported>,
+    ) -> Result<Vec<Column<L>>, Reported> {
+        let file = Rc::clone(&self.file);
         let mut columns = Vec::new();
         let mut sound = true;
         for (column, id) in &members.free {
-            if column.text == TIME {
-                let message = "every record has the column `t` already: it is the time";
-                self.mistakes.report(&file, Code::DuplicateName, column.span.clone(), message, "", None);
+            if let Some((code, message, help)) = refused(column) {
+                self.mistakes.report(&file, code, column.span.clone(), message, "", help);
                 sound = false;
                 continue;
             }
-            let value = self.column_value(column, *id);
+            let value = read(self, column, *id);
             sound &= value.is_ok();
             dimensions.insert(column.text.clone(), value.as_ref().ok().map(|(_, dimension)| *dimension));
             columns.extend(value.map(|(column, _)| column));
         }
-        self.columns.insert(name.text.clone(), dimensions);
+        self.columns.insert(record.text.clone(), dimensions);
         if members.free.is_empty() {
-            let message = format!("the record `{}` has no columns", name.text);
-            let help = "write `name = …` with what is to be recorded, for example `E = total_energy`";
+            let message = format!("the record `{}` has no columns", record.text);
+            let help = Some(format!("write `name = …` with what {example}"));
             return Err(self.mistakes.report(
                 &file,
                 Code::MissingKey,
-                name.span,
+                record.span.clone(),
                 message,
                 "",
-                Some(help.into()),
+                help,
             ));
         }
-        let every = every?;
-        if sound {
-            let place = file.place(&block.kind.span);
-            self.scene.records.push(Record { name: name.text, place, columns, every });
-        }
-        Ok(())
+        if sound { Ok(columns) } else { Err(Reported) }
     }
 
-    fn column_value(&mut self, name: &Name, id: ExprId) -> Result<(Column, Dimension), Reported> {
+    fn column_value(&mut self, name: &Name, id: ExprId) -> Result<(Column<Probe>, Dimension), Reported> {
         let file = Rc::clone(&self.file);
         let scope = ProbeScope {
             file: &file,
             lets: self.lets.fresh(),
             bodies: Bodies { names: &self.body_names, scene: &self.scene },
         };
-        let mut evaluator = Evaluator::<Probe>::new(self.mistakes);
-        let value = evaluator.scalar(&scope, id).map(|scalar| (evaluator.tape(scalar), scalar.dimension));
-        let (value, dimension) = value?;
-        let column = Column {
-            name: name.text.clone(),
-            place: file.place(&name.span),
-            value,
-            unit: dimension.si_symbol(),
-            text: file.expression(id).split_whitespace().collect::<Vec<_>>().join(" "),
-        };
-        Ok((column, dimension))
+        column(self.mistakes, &scope, name, id)
     }
 
     pub(super) fn frames(&mut self, block: &Block) -> Result<(), Reported> {
@@ -115,4 +124,24 @@ impl Stage<'_> {
         });
         Ok(())
     }
+}
+
+/// One column: the formula as written, with its unit.
+pub(in crate::scene) fn column<L: Leaves>(
+    mistakes: &mut Mistakes,
+    scope: &dyn Scope<L>,
+    name: &Name,
+    id: ExprId,
+) -> Result<(Column<L>, Dimension), Reported> {
+    let mut evaluator = Evaluator::<L>::new(mistakes);
+    let scalar = evaluator.scalar(scope, id)?;
+    let file = scope.file();
+    let column = Column {
+        name: name.text.clone(),
+        place: file.place(&name.span),
+        value: evaluator.tape(scalar),
+        unit: scalar.dimension.si_symbol(),
+        text: file.expression(id).split_whitespace().collect::<Vec<_>>().join(" "),
+    };
+    Ok((column, scalar.dimension))
 }

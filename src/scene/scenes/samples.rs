@@ -2,7 +2,7 @@
 
 use super::super::evaluate::{Evaluator, Lets, Outcome, Scope, Value};
 use super::super::file::{File, Reported};
-use super::super::model::Sample;
+use super::super::model::{Reduction, Sample};
 use super::super::words::SAMPLES;
 use super::motions::RESIDUAL;
 use super::plots::{ColumnName, column_dimension, column_name, table_dimension};
@@ -96,12 +96,7 @@ impl Scope<Sample> for SampleScope<'_> {
                 }
             });
         }
-        let sample = match function.text.as_str() {
-            "max" => |record, column| Sample::Max { record, column },
-            "min" => |record, column| Sample::Min { record, column },
-            "initial" => |record, column| Sample::Initial { record, column },
-            "integral" => |record, column| Sample::Integral { record, column },
-            "final" => |record, column| Sample::Final { record, column },
+        match function.text.as_str() {
             "residual" => return Some(self.residual(evaluator, argument.value)),
             "order" | "least_order" if !self.varied.is_empty() => {
                 return Some(self.order(evaluator, function.text == "least_order", argument.value));
@@ -110,11 +105,15 @@ impl Scope<Sample> for SampleScope<'_> {
                 let required = "it is a claim of its own: `expect never_grows(record.column)`";
                 return Some(Err(evaluator.wrong_form(self.file, &function.span, "`never_grows`", required)));
             }
-            _ => return None,
-        };
+            _ => {}
+        }
+        let by = Reduction::named(&function.text);
+        let over_time = function.text == "integral";
+        if by.is_none() && !over_time {
+            return None;
+        }
         Some(column_name(evaluator.mistakes, self.file, argument.value).and_then(|name| {
             let dimension = column_dimension(evaluator.mistakes, self.records, self.file, &name)?;
-            let over_time = function.text == "integral";
             if over_time
                 && !self.records.get(&name.table.text).is_some_and(|columns| columns.contains_key(TIME))
             {
@@ -123,8 +122,12 @@ impl Scope<Sample> for SampleScope<'_> {
                 return Err(evaluator.mistakes.report(self.file, Code::WrongForm, span, message, "", None));
             }
             let dimension = if over_time { dimension * Dimension::TIME } else { dimension };
-            let leaf = evaluator.graph.leaf(sample(name.table.text, name.column.text));
-            Ok(Value::scalar(leaf, dimension))
+            let (record, column) = (name.table.text, name.column.text);
+            let sample = match by {
+                Some(by) => Sample::Reduced { by, record, column },
+                None => Sample::Integral { record, column },
+            };
+            Ok(Value::scalar(evaluator.graph.leaf(sample), dimension))
         }))
     }
 
@@ -152,7 +155,7 @@ impl SampleScope<'_> {
             return Err(evaluator.wrong_form(self.file, &self.file.span(id), "`residual`", required));
         };
         let dimension = table.get(RESIDUAL).copied().flatten().ok_or(Reported)?;
-        let sample = Sample::Max { record: "motion".into(), column: RESIDUAL.into() };
+        let sample = Sample::Reduced { by: Reduction::Max, record: "motion".into(), column: RESIDUAL.into() };
         Ok(Value::scalar(evaluator.graph.leaf(sample), dimension))
     }
 
@@ -174,7 +177,7 @@ impl SampleScope<'_> {
         let name: String = written.split_whitespace().collect();
         let mut one = |name: &str| {
             let dimension = *self.fitted.get(name)?;
-            let sample = Sample::Final { record: table.into(), column: name.into() };
+            let sample = Sample::Reduced { by: Reduction::Final, record: table.into(), column: name.into() };
             Some(Value::scalar(evaluator.graph.leaf(sample), dimension))
         };
         if let Some(value) = one(&name) {

@@ -13,8 +13,7 @@ use super::blocks::unknown_block;
 use super::file::{File, Reported};
 use super::loader::Loader;
 use super::members::Members;
-use super::model::Document;
-use super::model_sweep::{Sweep, Swept};
+use super::model::{Document, Sweep, Swept};
 use super::scenes::Stage;
 use super::session::{Module, Session};
 use super::words::SWEEP;
@@ -95,7 +94,7 @@ fn claim(
     stage: &mut Stage,
     file: &Rc<File>,
     entry: &super::members::ExpectEntry,
-    varied: &[super::model_sweep::Varied],
+    varied: &[super::model::Varied],
 ) -> Result<(), Reported> {
     if let Some(at) = &entry.at
         && (varied.len() > 1 || !varied[0].is_quantity)

@@ -2,7 +2,7 @@
 
 use super::super::file::Reported;
 use super::super::members::Members;
-use super::super::model_sweep::{SweepCurve, SweepPlot, Swept};
+use super::super::model::{SweepCurve, SweepPlot, Swept};
 use super::super::scenes::{Stage, column_dimension, listed};
 use super::super::words::SWEEP_PLOT;
 use super::record::columns;

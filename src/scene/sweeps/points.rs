@@ -5,7 +5,7 @@
 
 use super::super::file::{File, Mistake, Reported};
 use super::super::members::Overrides;
-use super::super::model_sweep::{SweepPoint, Swept};
+use super::super::model::{SweepPoint, Swept};
 use super::super::session::Session;
 use super::super::words::DRIVE;
 use super::super::{drives, scenes};

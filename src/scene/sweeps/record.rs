@@ -3,12 +3,11 @@
 use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Required, Scope, Value};
 use super::super::file::{File, Reported};
 use super::super::members::Members;
-use super::super::model_sweep::{Reduced, SweepColumn, SweepRecord, Swept, Varied};
-use super::super::scenes::{Records, Stage, column_dimension, column_name};
+use super::super::model::{Column, Reduced, Reduction, SweepRecord, Swept, Varied};
+use super::super::scenes::{Records, Stage, column, column_dimension, column_name};
 use super::super::words::{SWEEP_RECORD, SWEEP_WORDS};
 use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::{Dimension, parse_unit};
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 impl Leaves for Reduced {}
@@ -59,55 +58,32 @@ fn one(
         return Err(stage.mistakes.report(&file, Code::DuplicateName, name.span, message, "", help));
     }
     let members = Members::read(stage.mistakes, &file, &SWEEP_RECORD, block);
-    let mut dimensions: BTreeMap<String, Option<Dimension>> =
-        varied.iter().map(|varied| (varied.column.clone(), dimension(&varied.unit))).collect();
-    let mut columns = Vec::new();
-    let mut sound = true;
-    for (column, id) in &members.free {
-        if varied.iter().any(|varied| varied.column == column.text) {
-            let message = format!("every record of the sweep has the column `{}` already", column.text);
-            stage.mistakes.report(&file, Code::DuplicateName, column.span.clone(), message, "", None);
-            sound = false;
-            continue;
-        }
-        let value = value(stage, &column.text, *id, varied, points, swept);
-        sound &= value.is_ok();
-        dimensions.insert(column.text.clone(), value.as_ref().ok().map(|(_, dimension)| *dimension));
-        columns.extend(value.map(|(column, _)| column));
-    }
-    stage.columns.insert(name.text.clone(), dimensions);
-    if members.free.is_empty() {
-        let message = format!("the record `{}` has no columns", name.text);
-        let help = Some("write `name = …` with what is to be read, for example `P = final(test.P)`".into());
-        return Err(stage.mistakes.report(&file, Code::MissingKey, name.span, message, "", help));
-    }
-    if !sound {
-        return Err(Reported);
-    }
+    let own = varied.iter().map(|varied| (varied.column.clone(), dimension(&varied.unit))).collect();
+    let refused = |column: &Name| {
+        let message = format!("every record of the sweep has the column `{}` already", column.text);
+        let taken = varied.iter().any(|varied| varied.column == column.text);
+        taken.then_some((Code::DuplicateName, message, None))
+    };
+    let example = "is to be read, for example `P = final(test.P)`";
+    let columns = stage.read_columns(&name, &members, own, example, refused, |stage, name, id| {
+        value(stage, name, id, varied, points, swept)
+    })?;
     Ok(SweepRecord { name: name.text, place: file.place(&block.kind.span), columns })
 }
 
 /// One column: its formula over numbers read from a point.
 pub(super) fn value(
     stage: &mut Stage,
-    name: &str,
+    name: &Name,
     id: ExprId,
     varied: &[Varied],
     points: &Records,
     swept: &Swept,
-) -> Result<(SweepColumn, Dimension), Reported> {
+) -> Result<(Column<Reduced>, Dimension), Reported> {
     let file = Rc::clone(&stage.file);
     let is_scene = matches!(swept, Swept::Scene(_));
     let scope = SweepScope { file: &file, lets: stage.lets.fresh(), varied, points, is_scene };
-    let mut evaluator = Evaluator::<Reduced>::new(stage.mistakes);
-    let scalar = evaluator.scalar(&scope, id)?;
-    let column = SweepColumn {
-        name: name.into(),
-        value: evaluator.tape(scalar),
-        unit: scalar.dimension.si_symbol(),
-        text: file.expression(id).split_whitespace().collect::<Vec<_>>().join(" "),
-    };
-    Ok((column, scalar.dimension))
+    column(stage.mistakes, &scope, name, id)
 }
 
 /// The names in a record of a sweep.
@@ -177,17 +153,11 @@ impl Scope<Reduced> for SweepScope<'_> {
             return Some(self.value(evaluator, outer, function, arguments));
         }
         let [Argument { name: None, value }] = arguments else { return None };
-        let reduced = match function.text.as_str() {
-            "max" => |record, column| Reduced::Max { record, column },
-            "min" => |record, column| Reduced::Min { record, column },
-            "initial" => |record, column| Reduced::Initial { record, column },
-            "final" => |record, column| Reduced::Final { record, column },
-            _ => return None,
-        };
+        let by = Reduction::named(&function.text)?;
         Some(column_name(evaluator.mistakes, self.file, *value).and_then(|name| {
             let dimension = column_dimension(evaluator.mistakes, self.points, self.file, &name)?;
-            let leaf = evaluator.graph.leaf(reduced(name.table.text, name.column.text));
-            Ok(Value::scalar(leaf, dimension))
+            let leaf = Reduced::Column { by, record: name.table.text, column: name.column.text };
+            Ok(Value::scalar(evaluator.graph.leaf(leaf), dimension))
         }))
     }
 

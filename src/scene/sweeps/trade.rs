@@ -3,7 +3,7 @@
 use super::super::blocks::unknown_block;
 use super::super::file::{File, Reported};
 use super::super::members::{Members, Site};
-use super::super::model_sweep::{Reduced, Sweep, SweepColumn, SweepRecord, Swept, Trade};
+use super::super::model::{Column, Reduced, Sweep, SweepRecord, Swept, Trade};
 use super::super::scenes::Stage;
 use super::super::session::{Module, Session};
 use super::super::words::TRADE;
@@ -64,7 +64,13 @@ pub(super) fn read(
     };
     let mut tape = Tape::new();
     tape.push(Node::Leaf(leaf));
-    let spent = SweepColumn { name: "cost".into(), value: tape, unit: String::new(), text: cost.into() };
+    let spent = Column {
+        name: "cost".into(),
+        place: file.place(&name.span),
+        value: tape,
+        unit: String::new(),
+        text: cost.into(),
+    };
     let own = [("error", Some(dimension)), ("cost", Some(crate::unit::Dimension::NUMBER))];
     let varying = varied.iter().map(|varied| (varied.column.clone(), record::dimension(&varied.unit)));
     let known = own.into_iter().map(|(name, dimension)| (name.to_string(), dimension)).chain(varying);
@@ -100,9 +106,10 @@ pub(super) fn read(
 fn columns(
     stage: &mut Stage,
     error: &Site,
-    varied: &[super::super::model_sweep::Varied],
+    varied: &[super::super::model::Varied],
     swept: &Swept,
-) -> Result<(SweepColumn, crate::unit::Dimension), Reported> {
+) -> Result<(Column<Reduced>, crate::unit::Dimension), Reported> {
     let known = record::columns(swept);
-    record::value(stage, "error", error.id, varied, &known, swept)
+    let name = Name { text: "error".into(), span: stage.file.span(error.id) };
+    record::value(stage, &name, error.id, varied, &known, swept)
 }

@@ -5,7 +5,7 @@
 
 use super::super::file::{File, Mistakes, Reported};
 use super::super::members::{Members, Site, VaryEntry};
-use super::super::model_sweep::{Varied, VariedValue};
+use super::super::model::{Varied, VariedValue};
 use super::super::scenes::fixed_quantity;
 use super::super::session::Session;
 use crate::syntax::{Block, Code, Diagnostic, ExprKind, Name};

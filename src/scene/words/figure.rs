@@ -10,6 +10,17 @@ const fn required(name: &'static str, kind: Kind, example: &'static str, doc: &'
     Parameter { name, kind, presence: Presence::Required(example), doc }
 }
 
+/// A block within a plot: named, with nothing but keys.
+const fn part(
+    word: &'static str,
+    doc: &'static str,
+    keys: &'static [Parameter],
+    example: &'static str,
+) -> Declaration {
+    let (within, target) = (Some("plot"), Target::Name);
+    Declaration { word, doc, within, target, keys, members: &[], example, available: true }
+}
+
 /// `figure name { … }`
 pub(in crate::scene) static FIGURE: Declaration = Declaration {
     word: "figure",
@@ -116,29 +127,23 @@ const COLOURS: &[Choice] = &[
 ];
 
 /// `series name { … }`
-pub(in crate::scene) static SERIES: Declaration = Declaration {
-    word: "series",
-    doc: "A curve or a set of points, of a record or of a csv(…).",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static SERIES: Declaration = part(
+    "series",
+    "A curve or a set of points, of a record or of a csv(…).",
+    &[
         required("draw", Kind::Curve, "draw = pull.F over pull.d", "One column over another."),
         optional("label", Kind::Text, "none", "Its line in the legend."),
         optional("mark", Kind::Choice(MARKS), "line, markers for a csv(…)", "How it is drawn."),
         optional("colour", Kind::Choice(COLOURS), "the next of the palette", "Its colour and markers."),
     ],
-    members: &[],
-    example: "series reference { draw = fe.F over fe.d  label = \"finite elements\"  mark = markers  colour = blue }",
-    available: true,
-};
+    "series reference { draw = fe.F over fe.d  label = \"finite elements\"  mark = markers  colour = blue }",
+);
 
 /// `band name { … }`
-pub(in crate::scene) static BAND: Declaration = Declaration {
-    word: "band",
-    doc: "A filled region behind the curves, as for a measured range.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static BAND: Declaration = part(
+    "band",
+    "A filled region behind the curves, as for a measured range.",
+    &[
         required(
             "corners",
             Kind::Expression,
@@ -148,18 +153,14 @@ pub(in crate::scene) static BAND: Declaration = Declaration {
         optional("label", Kind::Text, "none", "Its line in the legend."),
         optional("colour", Kind::Choice(COLOURS), "black", "The colour of which a tint is drawn."),
     ],
-    members: &[],
-    example: "band measured { corners = [[1, 0 Pa], [1.2, 1 kPa], [1.2, 2 kPa]]  label = \"measured\" }",
-    available: true,
-};
+    "band measured { corners = [[1, 0 Pa], [1.2, 1 kPa], [1.2, 2 kPa]]  label = \"measured\" }",
+);
 
 /// `panel name { … }`
-pub(in crate::scene) static PANEL: Declaration = Declaration {
-    word: "panel",
-    doc: "The deformed bodies at one time, coloured by the plot's field.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static PANEL: Declaration = part(
+    "panel",
+    "The deformed bodies at one time, coloured by the plot's field.",
+    &[
         required("frames", Kind::Expression, "frames = fields", "The frames it is taken from."),
         optional("time", Kind::Quantity("time"), "the last frame", "The time; the nearest frame is drawn."),
         optional(
@@ -170,46 +171,34 @@ pub(in crate::scene) static PANEL: Declaration = Declaration {
         ),
         optional("caption", Kind::Text, "none", "Line below it."),
     ],
-    members: &[],
-    example: "panel late { frames = fields  time = 0.1 s  caption = \"0.1 s\" }",
-    available: true,
-};
+    "panel late { frames = fields  time = 0.1 s  caption = \"0.1 s\" }",
+);
 
 /// `outline name { … }`
-pub(in crate::scene) static OUTLINE: Declaration = Declaration {
-    word: "outline",
-    doc: "The outline of a body in the reference configuration, from where the plot sees it.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[required("body", Kind::Expression, "body = strip", "The whole body.")],
-    members: &[],
-    example: "outline plate { body = plate }",
-    available: true,
-};
+pub(in crate::scene) static OUTLINE: Declaration = part(
+    "outline",
+    "The outline of a body in the reference configuration, from where the plot sees it.",
+    &[required("body", Kind::Expression, "body = strip", "The whole body.")],
+    "outline plate { body = plate }",
+);
 
 /// `disc name { … }`
-pub(in crate::scene) static DISC: Declaration = Declaration {
-    word: "disc",
-    doc: "A filled disc below the outlines, as for a loaded region.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static DISC: Declaration = part(
+    "disc",
+    "A filled disc below the outlines, as for a loaded region.",
+    &[
         required("centre", Kind::Expression, "centre = [0 m, 0 m]", "Its centre on the page's plane."),
         required("radius", Kind::Quantity("length"), "radius = 0.8 m", "Its radius."),
         optional("colour", Kind::Choice(COLOURS), "vermilion", "The colour of which a tint is drawn."),
     ],
-    members: &[],
-    example: "disc loaded { centre = [0 m, 0 m]  radius = 0.8 m }",
-    available: true,
-};
+    "disc loaded { centre = [0 m, 0 m]  radius = 0.8 m }",
+);
 
 /// `dimension name { … }`
-pub(in crate::scene) static DIMENSION: Declaration = Declaration {
-    word: "dimension",
-    doc: "A dimension line; its number is the distance of its ends.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static DIMENSION: Declaration = part(
+    "dimension",
+    "A dimension line; its number is the distance of its ends.",
+    &[
         required("from", Kind::Expression, "from = [0 mm, 0 mm]", "One end on the page's plane."),
         required("to", Kind::Expression, "to = [33 mm, 0 mm]", "The other end."),
         optional(
@@ -220,23 +209,17 @@ pub(in crate::scene) static DIMENSION: Declaration = Declaration {
         ),
         optional("text", Kind::Text, "none", "What stands before the number."),
     ],
-    members: &[],
-    example: "dimension gauge { from = [-16.5 mm, 3 mm]  to = [16.5 mm, 3 mm]  offset = 8 mm  text = \"gauge\" }",
-    available: true,
-};
+    "dimension gauge { from = [-16.5 mm, 3 mm]  to = [16.5 mm, 3 mm]  offset = 8 mm  text = \"gauge\" }",
+);
 
 /// `note name { … }`
-pub(in crate::scene) static NOTE: Declaration = Declaration {
-    word: "note",
-    doc: "A text in a drawing, with a line to what it names.",
-    within: Some("plot"),
-    target: Target::Name,
-    keys: &[
+pub(in crate::scene) static NOTE: Declaration = part(
+    "note",
+    "A text in a drawing, with a line to what it names.",
+    &[
         required("text", Kind::Text, "text = \"held\"", "The text."),
         required("at", Kind::Expression, "at = [0 mm, 0 mm]", "Where it begins on the page's plane."),
         optional("to", Kind::Expression, "none", "What it names."),
     ],
-    members: &[],
-    example: "note loaded { text = \"loaded\"  at = [1 m, 2 m]  to = [0.5 m, 0.5 m] }",
-    available: true,
-};
+    "note loaded { text = \"loaded\"  at = [1 m, 2 m]  to = [0.5 m, 0.5 m] }",
+);

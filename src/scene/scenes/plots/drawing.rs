@@ -2,8 +2,7 @@
 
 use super::super::super::file::Reported;
 use super::super::super::members::Members;
-use super::super::super::model::Body;
-use super::super::super::model_figure::{Drawing, DrawnNote};
+use super::super::super::model::{Body, Drawing, DrawnNote};
 use super::super::super::words::{DIMENSION, DISC, NOTE, OUTLINE, PLOT};
 use super::super::stage::Stage;
 use super::dotted;

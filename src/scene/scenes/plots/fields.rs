@@ -2,10 +2,9 @@
 
 use super::super::super::file::Reported;
 use super::super::super::members::{Members, Site};
-use super::super::super::model::Field;
-use super::super::super::model_figure::{FieldPanel, FieldPicture, Moment, Viewpoint};
+use super::super::super::model::{Field, FieldPanel, FieldPicture, Moment, Viewpoint};
 use super::super::super::words::{PANEL, PLOT};
-use super::super::probes::written_field;
+use super::super::fields::written_field;
 use super::super::stage::Stage;
 use super::{column_dimension, column_name, dotted};
 use crate::schema::nearest;

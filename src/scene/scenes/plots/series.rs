@@ -2,7 +2,7 @@
 
 use super::super::super::file::Reported;
 use super::super::super::members::{Members, Site};
-use super::super::super::model_figure::{DrawnBand, DrawnSeries, Look, SeriesData};
+use super::super::super::model::{DrawnBand, DrawnSeries, Look, SeriesData};
 use super::super::super::words::{BAND, SERIES};
 use super::super::stage::Stage;
 use super::{Axes, columns};

@@ -1,6 +1,6 @@
 //! The description of a drive: one material point led along a path.
 
-use super::model::{Expectation, Material, Place, Plot};
+use super::{Column, Expectation, Material, Place, Plot};
 use crate::expression::Tape;
 
 /// A material point led along a path of deformation.
@@ -101,22 +101,7 @@ pub struct PointRecord {
     /// Where it is declared.
     pub place: Place,
     /// Columns after the parameter.
-    pub columns: Vec<PointColumn>,
-}
-
-/// A column of such a table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PointColumn {
-    /// Its name.
-    pub name: String,
-    /// Where it is declared.
-    pub place: Place,
-    /// Its value.
-    pub value: Tape<PointProbe>,
-    /// SI unit symbol, empty for a number.
-    pub unit: String,
-    /// The expression as written.
-    pub text: String,
+    pub columns: Vec<Column<PointProbe>>,
 }
 
 /// What a record can ask of a material point; components are those in the axes of the path.

@@ -1,8 +1,6 @@
 //! The description of a sweep: the same scene or drive over several values.
 
-use super::model::{Expectation, Place, Scene};
-use super::model_drive::Drive;
-use crate::expression::Tape;
+use super::{Column, Drive, Expectation, Place, Reduction, Scene};
 
 /// The same scene or drive over several values.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,49 +75,17 @@ pub struct SweepRecord {
     /// Where it is declared.
     pub place: Place,
     /// Columns after the varied values.
-    pub columns: Vec<SweepColumn>,
-}
-
-/// A column of such a table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweepColumn {
-    /// Its name.
-    pub name: String,
-    /// Its value.
-    pub value: Tape<Reduced>,
-    /// SI unit symbol, empty for a number.
-    pub unit: String,
-    /// The expression as written.
-    pub text: String,
+    pub columns: Vec<Column<Reduced>>,
 }
 
 /// A number read from one point of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Reduced {
-    /// Largest value of a column.
-    Max {
-        /// The record.
-        record: String,
-        /// The column.
-        column: String,
-    },
-    /// Smallest value of a column.
-    Min {
-        /// The record.
-        record: String,
-        /// The column.
-        column: String,
-    },
-    /// First value of a column.
-    Initial {
-        /// The record.
-        record: String,
-        /// The column.
-        column: String,
-    },
-    /// Last value of a column.
-    Final {
+    /// One number of a column.
+    Column {
+        /// Which.
+        by: Reduction,
         /// The record.
         record: String,
         /// The column.

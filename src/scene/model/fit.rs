@@ -1,7 +1,6 @@
 //! The description of a fit: drives, data, the parameters sought.
 
-use super::model::{Expectation, Place};
-use super::model_drive::{Drive, PointProbe};
+use super::{Drive, Expectation, Place, PointProbe};
 use crate::expression::Tape;
 use crate::fit::Range;
 

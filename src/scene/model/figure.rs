@@ -1,6 +1,6 @@
 //! The description of pictures and figures.
 
-use super::model::{Field, Place, Reference};
+use super::{Field, Place, Reference};
 
 /// What a plot shows beyond its curves of columns.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -186,7 +186,7 @@ pub struct FigureOf {
     /// The runs it needs.
     pub sources: Vec<Source>,
     /// Its pictures.
-    pub plots: Vec<super::model::Plot>,
+    pub plots: Vec<super::Plot>,
 }
 
 /// A run a figure needs.

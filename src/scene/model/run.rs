@@ -1,0 +1,126 @@
+//! The numerical choices of a run.
+
+use super::Place;
+use crate::discretisation::{Consistency, Kernel};
+
+/// A set of numerical choices: the paper's or ours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Scheme {
+    /// The paper as printed.
+    Seed,
+    /// With the improvements of this project.
+    Improved,
+}
+
+/// Which maps are evolved beside p and F.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Formulation {
+    /// H and J derived from F.
+    Pf,
+    /// J evolved, H derived.
+    Pfj,
+    /// H and J evolved.
+    Pfhj,
+}
+
+/// Time integrators.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Integrator {
+    /// Two-stage TVD Runge–Kutta (Heun), the paper's.
+    TvdRk2,
+    /// Three-stage, third-order strong-stability-preserving Runge–Kutta.
+    SspRk3,
+    /// Velocity Verlet.
+    VelocityVerlet,
+}
+
+/// How the load is meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Loading {
+    /// Inertia is part of the answer.
+    Dynamic,
+    /// Inertia is an error to be kept small: starts from the affine velocity field and is damped
+    /// relative to it, at this rate (1/s; `None` lets the plan choose).
+    QuasiStatic {
+        /// Damping rate, 1/s.
+        damping: Option<f64>,
+    },
+}
+
+/// Interface states of the momentum dissipation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum InterfaceStates {
+    /// No dissipation of momentum.
+    Off,
+    /// The particles' own momenta.
+    Constant,
+    /// Carried to the middle of the pair with the corrected gradient.
+    Linear,
+    /// Likewise, limited so that no pair gains energy.
+    Limited,
+}
+
+/// Dissipation of the volume map, D(J).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum VolumeDissipation {
+    /// None.
+    Off,
+    /// As printed.
+    On,
+    /// As printed, and J relaxes towards `det F` at a rate (1/s; `None` lets the plan choose).
+    Restoring {
+        /// Relaxation rate, 1/s.
+        rate: Option<f64>,
+    },
+}
+
+/// What becomes of the angular momentum of a free body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum AngularMomentum {
+    /// What the forces and the integrator make of it.
+    Free,
+    /// Kept to round-off by a least correction of the accelerations.
+    Projected,
+}
+
+/// Numerical choices of `run { … }`, defaults filled in by the scheme.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Where the block stands.
+    pub place: Place,
+    /// End time, s.
+    pub until: f64,
+    /// The scheme the defaults come from.
+    pub scheme: Scheme,
+    /// `None` lets the plan choose the smallest that loses nothing.
+    pub formulation: Option<Formulation>,
+    /// How the load is meant.
+    pub loading: Loading,
+    /// Time integrator.
+    pub integrator: Integrator,
+    /// `α_CFL` of (42).
+    pub cfl: f64,
+    /// Kernel.
+    pub kernel: Kernel,
+    /// `h/dx`.
+    pub smoothing: f64,
+    /// Integration consistency on or off.
+    pub consistency: Consistency,
+    /// Interface states of D(p).
+    pub momentum_dissipation: InterfaceStates,
+    /// Weight of `c_p` in `S_p`.
+    pub pressure_wave_weight: f64,
+    /// Weight of `c_s` in `S_p`.
+    pub shear_wave_weight: f64,
+    /// Stiffness against hourglass modes, in shear moduli at rest; 0 for none.
+    pub hourglass_stiffness: f64,
+    /// D(J).
+    pub volume_dissipation: VolumeDissipation,
+    /// Angular momentum of free bodies.
+    pub angular_momentum: AngularMomentum,
+    /// Steps between two refreshes of the wave speed.
+    pub wave_speed_every: u32,
+    /// Which of the choices above were written in the file, by key.
+    pub written: Vec<String>,
+}
