@@ -128,7 +128,7 @@ fn make(options: &FiguresOptions, figure: &FigureOf) -> Result<PathBuf, Stop> {
             texts.push((name, text));
         }
     } else {
-        let mut results = Results::default();
+        let mut results = Results { short: options.quick, ..Results::default() };
         for source in &figure.sources {
             results.runs.push(results_of(options, source)?);
         }

@@ -28,6 +28,10 @@ pub fn crossing(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
 ///
 /// Where the abscissa is positive and spans two decades or more, as the force of a stiffening
 /// tissue does, the spline runs over its logarithm; rows that are not positive are then left out.
+/// An ordinate that does the same, as a stress over a force, is read by its logarithm as well: it is
+/// nearly a power of the abscissa, thus nearly a line, while over the logarithm alone it is an
+/// exponential. With three of four rows of a finite-element table withheld the first errs by up to
+/// 2.4 % of the stress, the second by up to 10 %.
 /// `None` outside the rows, for fewer than four of them, or for an abscissa that is not increasing.
 pub fn reference_value(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
     let largest = x.iter().copied().fold(0.0, f64::max);
@@ -38,7 +42,13 @@ pub fn reference_value(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
     if logarithmic {
         let log_x: Vec<f64> = positive.iter().map(|&i| libm::log(x[i])).collect();
         let y: Vec<f64> = positive.iter().map(|&i| y[i]).collect();
-        spline(&log_x, &y, libm::log(at))
+        let (low, high) = y.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), &y| (l.min(y), h.max(y)));
+        if low > 0.0 && high >= WIDE * low {
+            let log_y: Vec<f64> = y.iter().map(|&y| libm::log(y)).collect();
+            spline(&log_x, &log_y, libm::log(at)).map(libm::exp)
+        } else {
+            spline(&log_x, &y, libm::log(at))
+        }
     } else {
         spline(x, y, at)
     }
@@ -47,7 +57,7 @@ pub fn reference_value(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
 /// Abscissae below this share of the largest are a zero with round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Ratio of the ends of an abscissa from which its logarithm is the better variable.
+/// Ratio of the ends of a column from which its logarithm is the better variable.
 const WIDE: f64 = 100.0;
 
 /// Cubic spline with not-a-knot ends.
@@ -104,6 +114,44 @@ mod tests {
         let y = x.map(|x: f64| if x > 0.0 { x.ln() } else { -1e9 });
         let value = reference_value(&x, &y, 0.7).expect("inside");
         assert!((value - 0.7_f64.ln()).abs() <= 5.0 * 50.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn a_power_over_three_decades_is_met_to_round_off() {
+        let x = [0.0, 0.01, 0.1, 0.3, 2.0, 10.0];
+        let y = x.map(|x: f64| 3.0 * x.powf(1.1));
+        let value = reference_value(&x, &y, 0.7).expect("inside");
+        let exact = 3.0 * 0.7_f64.powf(1.1);
+        // logarithms below 5, some 50 operations
+        assert!((value / exact - 1.0).abs() <= 5.0 * 50.0 * f64::EPSILON);
+    }
+
+    /// Force in N and axial Cauchy stress in MPa at the centre, from the rows of
+    /// `verification/references/fe_artery_circ_k0_D1e-7_Q2P1_20x6x2.csv`.
+    #[test]
+    fn withheld_rows_of_a_stress_are_read_to_half_a_per_cent() {
+        let text = include_str!("../../verification/references/fe_artery_circ_k0_D1e-7_Q2P1_20x6x2.csv");
+        let rows: Vec<Vec<f64>> = text
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .skip(1)
+            .map(|line| line.split(',').filter_map(|cell| cell.parse().ok()).collect())
+            .collect();
+        let (force, stress): (Vec<f64>, Vec<f64>) = rows.iter().skip(1).map(|row| (row[1], row[6])).unzip();
+        let last = force.len() - 1;
+        let kept: Vec<usize> = (0..=last).filter(|i| (last - i) % 3 == 0).collect();
+        let of = |column: &[f64]| -> Vec<f64> { kept.iter().map(|&i| column[i]).collect() };
+        let (x, y) = (of(&force), of(&stress));
+        let worst = |read: &dyn Fn(f64) -> Option<f64>| {
+            let error = |i: usize| (read(force[i]).expect("inside") / stress[i] - 1.0).abs();
+            let withheld = (0..=last).filter(|i| !kept.contains(i) && force[*i] > 0.08);
+            withheld.map(error).fold(0.0, f64::max)
+        };
+        let log_x: Vec<f64> = x.iter().map(|&x| libm::log(x)).collect();
+        // neighbours kept are five times apart: a fourth difference of some hundredths of the logarithm
+        assert!(worst(&|at| reference_value(&x, &y, at)) < 0.005);
+        // the logarithm of the force alone
+        assert!(worst(&|at| spline(&log_x, &y, libm::log(at))) > 0.04);
     }
 
     #[test]

@@ -16,8 +16,10 @@ pub(super) struct Ruler {
     /// Ticks without a number.
     pub(super) minor: Vec<f64>,
     scale: Scale,
-    low: f64,
-    high: f64,
+    /// Value at the start.
+    pub(super) low: f64,
+    /// Value at the end.
+    pub(super) high: f64,
 }
 
 impl Ruler {

@@ -4,7 +4,7 @@
 
 use super::axis::{Ruler, round_below, ten};
 use super::canvas::{Anchor, Canvas, Point, page};
-use super::colour_bar::ColourBar;
+use super::colour_bar::{Beyond, ColourBar};
 use super::colour_map::viridis;
 use super::field::FieldFigure;
 use super::model::{Axis, FigureError};
@@ -49,6 +49,7 @@ struct Layout<'a> {
     pieces: Vec<Vec<Piece>>,
     /// The colour bar.
     ruler: Ruler,
+    beyond: Beyond,
     /// Least and largest coordinates on the plane of the view over all panels, m.
     low: Point,
     high: Point,
@@ -92,8 +93,25 @@ impl<'a> Layout<'a> {
         let (label, unit) = (figure.label.clone(), figure.unit.clone());
         let axis =
             Axis { label, unit, range: figure.range.filter(|range| range.0 < range.1), ..Axis::default() };
+        let seen = pieces.iter().flatten().filter_map(|piece| match *piece {
+            Piece::Share(_, value) | Piece::Disc(_, _, value) => Some(value),
+            Piece::Edge(_) => None,
+        });
         let ruler = Ruler::new(&axis, first, last);
-        Self { figure, pieces, ruler, low, high, scale, columns, cell, top, height: needed.max(LEAST_HEIGHT) }
+        let beyond = Beyond::new(&ruler, seen);
+        Self {
+            figure,
+            pieces,
+            ruler,
+            beyond,
+            low,
+            high,
+            scale,
+            columns,
+            cell,
+            top,
+            height: needed.max(LEAST_HEIGHT),
+        }
     }
 
     fn draw(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
@@ -149,7 +167,7 @@ impl<'a> Layout<'a> {
         let page = f64::from(WIDTH);
         let bar =
             ColourBar { left: page - BAR + 6.0, top: 22.0, bottom: self.height - 22.0, label: page - 14.0 };
-        bar.draw(canvas, &self.ruler)
+        bar.draw(canvas, &self.ruler, &self.figure.unit, self.beyond)
     }
 }
 

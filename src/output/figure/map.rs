@@ -5,7 +5,7 @@
 
 use super::axis::Ruler;
 use super::canvas::{Anchor, Canvas, Point, page, text_width};
-use super::colour_bar::ColourBar;
+use super::colour_bar::{Beyond, ColourBar};
 use super::colour_map::viridis;
 use super::model::{Axis, FigureError, Scale};
 use super::palette::{self, Colour, INK};
@@ -191,7 +191,7 @@ impl<'a> Layout<'a> {
     fn draw_bar(&self, canvas: &Canvas<'_>) -> Result<(), FigureError> {
         let [_, frame_right, top, bottom] = self.frame;
         let bar = ColourBar { left: frame_right + 16.0, top, bottom, label: f64::from(WIDTH) - 12.0 };
-        bar.draw(canvas, &self.bar)
+        bar.draw(canvas, &self.bar, &self.figure.value.unit, Beyond::default())
     }
 
     /// What cells without a colour of the bar mean, where there are any.

@@ -25,6 +25,9 @@ const FACES: [[usize; 4]; 6] =
 /// Cosine of the angle between two faces from which their common edge is drawn.
 const SHARP: f64 = 0.6;
 
+/// Sine of the angle to the line of sight from which a face is seen: of one on edge there is but its outline.
+const SEEN: f64 = 0.01;
+
 /// The pieces of a panel in the order to draw them, the farthest first.
 pub(super) fn pieces(panel: &Panel, view: &View) -> Vec<Piece> {
     if panel.faces.is_empty() { discs(panel, view) } else { shares(panel, view) }
@@ -67,6 +70,9 @@ struct Quarter {
 /// that values which alternate from one position to the next are seen to do so.
 fn shares(panel: &Panel, view: &View) -> Vec<Piece> {
     let towards = view.towards();
+    // Along an axis the side of a strip that bulges is seen as a sliver; a line between it and the front
+    // would look like a crease.
+    let draws_sharp = towards.iter().filter(|part| part.abs() > 1e-9).count() > 1;
     let at = |i: usize| panel.positions[i];
     let mut quarters: BTreeMap<usize, Vec<Quarter>> = BTreeMap::new();
     // of every edge the unit normals of its faces, and whether they are seen
@@ -76,7 +82,7 @@ fn shares(panel: &Panel, view: &View) -> Vec<Piece> {
         let centre = face.iter().map(|&i| at(i)).sum::<Vec3>() / n as f64;
         let normal: Vec3 =
             (0..n).map(|k| (at(face[k]) - centre).cross(&(at(face[(k + 1) % n]) - centre))).sum();
-        let is_seen = normal.dot(&towards) > 1e-9 * normal.norm();
+        let is_seen = normal.dot(&towards) > SEEN * normal.norm();
         for k in 0..n {
             let (corner, after) = (face[k], face[(k + 1) % n]);
             let normal = normal.try_normalize(0.0).unwrap_or_default();
@@ -98,7 +104,7 @@ fn shares(panel: &Panel, view: &View) -> Vec<Piece> {
     let reach = 1.5 * mean_length(panel, &edges);
     for ((a, b), faces) in edges {
         let is_end = faces.len() == 1 || faces.iter().any(|face| face.1 != faces[0].1);
-        let is_sharp = faces.windows(2).any(|pair| pair[0].0.dot(&pair[1].0) < SHARP);
+        let is_sharp = draws_sharp && faces.windows(2).any(|pair| pair[0].0.dot(&pair[1].0) < SHARP);
         if faces.iter().any(|face| face.1) && (is_end || is_sharp) {
             let depth = 0.5 * towards.dot(&(at(a) + at(b)));
             // in front of the shares beside it, whose middles lie a cell or so away

@@ -160,7 +160,11 @@ fn moment(panel: &FieldPanel, results: &Results) -> Result<Option<f64>, String> 
             let values = |name: &str| table.column(name).unwrap_or_default();
             let first = table.columns.first().map_or("", |column| column.name.as_str());
             let time = crossing(&values(column), &values(first), *value);
-            time.map(Some).ok_or_else(|| format!("`{record}.{column}` never takes the value {value:e}"))
+            match time {
+                Some(time) => Ok(Some(time)),
+                None if results.short => Ok(None),
+                None => Err(format!("`{record}.{column}` never takes the value {value:e}")),
+            }
         }
     }
 }

@@ -32,6 +32,7 @@ pub fn figures(
             folder: folder.map(Path::to_path_buf),
             provenance: provenance.lines(),
         }],
+        short: false,
     };
     let one = |plot: &Plot| {
         let data = extract(plot, &results)?;

@@ -2,7 +2,7 @@
 //!
 //! Owns names: `pull` of the only run, `axial.pull` of one of several.
 
-use crate::output::{Collection, Frame, Table};
+use crate::output::{Collection, Frame, FrameField, Table};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +24,8 @@ pub struct RunResults {
 pub struct Results {
     /// Run by run.
     pub runs: Vec<RunResults>,
+    /// Whether the runs were cut short, as for a quick look: a moment they do not reach is their last.
+    pub short: bool,
 }
 
 impl RunResults {
@@ -60,7 +62,8 @@ impl Results {
         run.tables.iter().find(|table| table.name == inner)
     }
 
-    /// The frame of a series nearest to a time, or the last one.
+    /// The frame of a series at a time, or the last one: between two frames positions and fields run
+    /// linearly, before the first and after the last they stay.
     pub(super) fn frame(&self, name: &str, time: Option<f64>) -> Result<Frame, String> {
         let (run, inner) = self.run(name).ok_or_else(|| format!("there are no frames `{name}`"))?;
         let folder = run.folder.as_ref().ok_or("frames are drawn from files, but nothing was written")?;
@@ -70,11 +73,25 @@ impl Results {
         };
         let pvd = format!("{inner}.pvd");
         let collection = Collection::from_pvd(&read(&pvd)?).map_err(|cause| format!("{pvd}: {cause}"))?;
-        let distance = |at: &f64| time.map_or(-at, |time| (at - time).abs());
-        let nearest = collection.frames.iter().min_by(|a, b| distance(&a.0).total_cmp(&distance(&b.0)));
-        let (at, file) = nearest.ok_or_else(|| format!("{pvd} lists no frame"))?;
-        let frame = Frame::from_vtu(&read(file)?).map_err(|cause| format!("{file}: {cause}"))?;
-        Ok(Frame { time: *at, ..frame })
+        let frame = |(at, file): &(f64, String)| -> Result<Frame, String> {
+            let frame = Frame::from_vtu(&read(file)?).map_err(|cause| format!("{file}: {cause}"))?;
+            Ok(Frame { time: *at, ..frame })
+        };
+        let frames = &collection.frames;
+        let (first, last) =
+            frames.first().zip(frames.last()).ok_or_else(|| format!("{pvd} lists no frame"))?;
+        let Some(time) = time else { return frame(last) };
+        // a frame and a time that differ by round-off are one
+        let same = SAME * last.0.abs();
+        if let Some(exact) = frames.iter().find(|known| (known.0 - time).abs() <= same) {
+            return frame(exact);
+        }
+        match frames.iter().position(|known| known.0 > time) {
+            None => frame(last),
+            Some(0) => frame(first),
+            Some(i) => between(&frame(&frames[i - 1])?, &frame(&frames[i])?, time)
+                .ok_or_else(|| format!("{pvd}: frames {} and {i} do not fit together", i - 1)),
+        }
     }
 
     /// What the runs were computed from.
@@ -89,5 +106,61 @@ impl Results {
             }
         }
         lines
+    }
+}
+
+/// Share of the last time below which two times are one.
+const SAME: f64 = 1e-6;
+
+/// Positions and fields at a time between two frames, `None` where they are not of the same particles.
+///
+/// ```text
+/// f(t) = f₀ + (t − t₀)/(t₁ − t₀) (f₁ − f₀)
+/// ```
+///
+/// The error is that of linear interpolation, `⅛ (t₁ − t₀)² f̈`, with the interval of the frames.
+fn between(before: &Frame, after: &Frame, time: f64) -> Option<Frame> {
+    let share = (time - before.time) / (after.time - before.time);
+    let fits = before.displacement.len() == after.displacement.len()
+        && before.fields.len() == after.fields.len()
+        && before.fields.iter().zip(&after.fields).all(|(a, b)| a.values.len() == b.values.len());
+    if !fits {
+        return None;
+    }
+    let pairs = before.displacement.iter().zip(&after.displacement);
+    let displacement = pairs.map(|(a, b)| a + share * (b - a)).collect();
+    let fields = before.fields.iter().zip(&after.fields);
+    let fields = fields
+        .map(|(a, b)| {
+            let values = a.values.iter().zip(&b.values).map(|(a, b)| a + share * (b - a)).collect();
+            FrameField { values, ..a.clone() }
+        })
+        .collect();
+    Some(Frame { time, displacement, fields, ..before.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tensor::Vec3;
+
+    fn frame(time: f64, x: f64, values: &[f64]) -> Frame {
+        let at = |_: &f64| Vec3::new(x, 0.0, -x);
+        Frame {
+            time,
+            reference: values.iter().map(|_| Vec3::zeros()).collect(),
+            displacement: values.iter().map(at).collect(),
+            fields: vec![FrameField::scalar("J", "", values)],
+            ..Frame::default()
+        }
+    }
+
+    #[test]
+    fn between_two_frames_positions_and_fields_run_linearly() {
+        let (a, b) = (frame(1.0, 2.0, &[4.0, 8.0]), frame(3.0, 6.0, &[8.0, 0.0]));
+        let middle = between(&a, &b, 1.5).expect("the same particles");
+        assert_eq!((middle.time, middle.displacement[1]), (1.5, Vec3::new(3.0, 0.0, -3.0)));
+        assert_eq!(middle.fields[0].values, [5.0, 6.0]);
+        assert_eq!(between(&a, &frame(3.0, 6.0, &[8.0]), 1.5), None);
     }
 }

@@ -96,7 +96,7 @@ pub(super) const PLOT_KEYS: &[Parameter] = &[
         "range",
         Kind::Range,
         "the values seen",
-        "Values at the ends of the colour bar; beyond, the colour stays that of the end.",
+        "Values at the ends of the colour bar; beyond, the colour stays that of the end, which is drawn as a tip with the farthest value.",
     ),
     optional("view", Kind::Choice(VIEWS), "xy", "From where bodies are seen."),
     optional(
@@ -162,7 +162,12 @@ pub(in crate::scene) static PANEL: Declaration = part(
     "The deformed bodies at one time, coloured by the plot's field.",
     &[
         required("frames", Kind::Expression, "frames = fields", "The frames it is taken from."),
-        optional("time", Kind::Quantity("time"), "the last frame", "The time; the nearest frame is drawn."),
+        optional(
+            "time",
+            Kind::Quantity("time"),
+            "the last frame",
+            "The time; between two frames positions and values run linearly.",
+        ),
         optional(
             "when",
             Kind::Expression,

@@ -1,0 +1,197 @@
+"""Strips of artery by mixed finite elements, independent of everything in this project.
+
+Quadratic displacement, discontinuous linear pressure, perturbed Lagrangian; stress and tangent by automatic
+differentiation of the energy. Needs dolfinx 0.5 and MUMPS (Debian: python3-dolfinx). Writes one row a load step, in
+mm, N and MPa; the pressure of the elements, not D and det F, makes the Cauchy stress.
+
+    python3 finite_elements.py --angles 40.02,-40.02 --kappa 0 --mesh 28x10x3 --grade 1.5 --out table.csv
+"""
+
+import argparse
+
+import numpy as np
+import ufl
+from dolfinx import fem, geometry, mesh
+from dolfinx.fem.petsc import apply_lifting, assemble_matrix, assemble_vector, create_matrix, create_vector, set_bc
+from mpi4py import MPI
+from petsc4py import PETSc
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument("--angles", required=True, help="of the fibre families to the length, degrees")
+arguments.add_argument("--kappa", type=float, required=True)
+arguments.add_argument("--C", type=float, default=0.00764, help="MPa")
+arguments.add_argument("--D", type=float, default=0.1, help="1/MPa; 0 is incompressible")
+arguments.add_argument("--bracket", type=int, default=1, help="0: fibres resist compression")
+arguments.add_argument("--mesh", required=True, help="cells along length, width, thickness of the model")
+arguments.add_argument("--full", action="store_true", help="half the thickness, not an eighth")
+arguments.add_argument("--grade", type=float, default=1.0, help="above 1: finer towards the grips")
+arguments.add_argument("--step", type=float, default=0.2, help="first step of the end displacement, mm")
+arguments.add_argument("--force", type=float, default=2.1, help="N, where to end")
+arguments.add_argument("--out", required=True)
+given = arguments.parse_args()
+
+LENGTH, WIDTH, THICKNESS = 10.0, 3.0, 0.5
+K1, K2 = 0.9966, 524.6
+ANGLES = [np.radians(float(angle)) for angle in given.angles.split(",")]
+SHARE = 2 if given.full else 4  # the whole section's force over the model's
+
+cells = [int(n) for n in given.mesh.split("x")]
+start = [-LENGTH / 2, -WIDTH / 2, 0.0] if given.full else [0.0, 0.0, 0.0]
+domain = mesh.create_box(
+    MPI.COMM_WORLD, [start, [LENGTH / 2, WIDTH / 2, THICKNESS / 2]], cells, mesh.CellType.hexahedron
+)
+place = domain.geometry.x[:, 0] / (LENGTH / 2)
+domain.geometry.x[:, 0] = np.sign(place) * (1 - (1 - abs(place)) ** given.grade) * LENGTH / 2
+
+element = ufl.MixedElement(
+    [ufl.VectorElement("Q", domain.ufl_cell(), 2), ufl.FiniteElement("DPC", domain.ufl_cell(), 1)]
+)
+space = fem.FunctionSpace(domain, element)
+state = fem.Function(space)
+u, p = ufl.split(state)
+F = ufl.Identity(3) + ufl.grad(u)
+J = ufl.det(F)
+F_bar = J ** (-1.0 / 3) * F
+I1 = ufl.inner(F_bar, F_bar)
+energy = given.C * (I1 - 3)
+for angle in ANGLES:
+    fibre = F_bar * ufl.as_vector([np.cos(angle), np.sin(angle), 0])
+    E = given.kappa * (I1 - 3) + (1 - 3 * given.kappa) * (ufl.dot(fibre, fibre) - 1)
+    if given.bracket:
+        E = (E + abs(E)) / 2
+    energy += K1 / (2 * K2) * (ufl.exp(K2 * E * E) - 1)
+energy += p * (J - 1)
+if given.D > 0:
+    # less the complementary energy: U'(J) = (J - 1/J)/D = p at J_p
+    J_p = (given.D * p + ufl.sqrt((given.D * p) ** 2 + 4)) / 2
+    energy -= p * (J_p - 1) - ((J_p * J_p - 1) / 2 - ufl.ln(J_p)) / given.D
+test, trial = ufl.TestFunction(space), ufl.TrialFunction(space)
+total = energy * ufl.dx(metadata={"quadrature_degree": 5})
+residual = fem.form(ufl.derivative(total, state, test))
+tangent = fem.form(ufl.derivative(ufl.derivative(total, state, test), state, trial))
+
+conditions, moved = [], []
+
+
+def hold(axis, where, share=0.0):
+    """Holds a component, or moves it by a share of the end displacement."""
+    component = space.sub(0).sub(axis)
+    collapsed, _ = component.collapse()
+    value = fem.Function(collapsed)
+    found = fem.locate_dofs_geometrical((component, collapsed), where)
+    conditions.append(fem.dirichletbc(value, found, component))
+    moved.append((value, share))
+    return found[0]
+
+
+right = lambda x: np.isclose(x[0], LENGTH / 2)
+left = lambda x: np.isclose(x[0], start[0])
+grip = hold(0, right, 0.5)
+hold(1, right), hold(2, right), hold(2, lambda x: np.isclose(x[2], 0))
+if given.full:
+    hold(0, left, -0.5), hold(1, left), hold(2, left)
+else:
+    hold(0, left), hold(1, lambda x: np.isclose(x[1], 0))
+
+matrix, vector = create_matrix(tangent), create_vector(residual)
+solver = PETSc.KSP().create()
+solver.setType("preonly")
+solver.getPC().setType("lu")
+solver.getPC().setFactorSolverType("mumps")
+solver.setOperators(matrix)
+change = fem.Function(space)
+
+
+def equilibrium(displacement):
+    """Newton's method; whether it converged."""
+    for value, share in moved:
+        value.x.array[:] = share * displacement
+    for iteration in range(14):
+        matrix.zeroEntries()
+        assemble_matrix(matrix, tangent, bcs=conditions)
+        matrix.assemble()
+        with vector.localForm() as local:
+            local.set(0)
+        assemble_vector(vector, residual)
+        apply_lifting(vector, [tangent], [conditions], x0=[state.vector], scale=-1.0)
+        set_bc(vector, conditions, state.vector, -1.0)
+        size = np.linalg.norm(vector.array)
+        if not np.isfinite(size) or size > 1e12:
+            return False
+        solver.solve(vector, change.vector)
+        if not np.all(np.isfinite(change.x.array)):
+            return False
+        state.x.array[:] -= change.x.array
+        if iteration and np.linalg.norm(change.x.array) < 1e-7 * np.linalg.norm(state.x.array):
+            return True
+    return False
+
+
+points = np.array([[0, 0, 0], [0, WIDTH / 2, 0], [0, 0, THICKNESS / 2], [0, -WIDTH / 2, 0]], dtype=float)
+points = points[: 4 if given.full else 3]
+tree = geometry.BoundingBoxTree(domain, 3)
+inside = geometry.compute_colliding_cells(domain, geometry.compute_collisions(tree, points), points)
+
+
+def deviatoric(F):
+    """Deviatoric Cauchy stress of the law, MPa."""
+    free = lambda M: M - np.trace(M) / 3 * np.eye(3)
+    J = np.linalg.det(F)
+    b = J ** (-2 / 3) * F @ F.T
+    stress = 2 * given.C / J * free(b)
+    for angle in ANGLES:
+        fibre = F @ [np.cos(angle), np.sin(angle), 0]
+        a = J ** (-2 / 3) * np.outer(fibre, fibre)
+        E = given.kappa * (np.trace(b) - 3) + (1 - 3 * given.kappa) * (np.trace(a) - 1)
+        E = max(E, 0) if given.bracket else E
+        stress += 2 / J * K1 * E * np.exp(K2 * E * E) * free(given.kappa * b + (1 - 3 * given.kappa) * a)
+    return stress
+
+
+def row(displacement):
+    """What is written; at the centre the mean over the cells that meet there."""
+    with vector.localForm() as local:
+        local.set(0)
+    assemble_vector(vector, residual)
+    force = SHARE * vector.array[grip].sum()
+    moves, pressures = state.sub(0).collapse(), state.sub(1).collapse()
+    at = [moves.eval(point, inside.links(i)[0]) for i, point in enumerate(points)]
+    width = WIDTH + (at[1][1] - at[3][1] if given.full else 2 * at[1][1])
+    centre = []
+    for cell in inside.links(0):
+        middle = domain.geometry.x[domain.geometry.dofmap.links(cell)].mean(0)
+        F = np.eye(3)
+        for k in range(3):  # exact for the quadratic of the cell
+            step = np.zeros(3)
+            step[k] = 1e-4 * np.sign(middle[k])
+            here, near, far = (moves.eval(n * step, cell) for n in range(3))
+            F[:, k] += (4 * near - 3 * here - far) / (2 * step[k])
+        pressure = pressures.eval(np.zeros(3), cell)[0]
+        stress = deviatoric(F) + pressure * np.eye(3)
+        centre.append([stress[0, 0], stress[0, 1], stress[2, 2], np.linalg.det(F), pressure, F[0, 0]])
+    return [displacement, force, width, THICKNESS + 2 * at[2][2], *np.mean(centre, axis=0)]
+
+
+with open(given.out, "w") as table:
+    names = "end_disp_mm,force_N,width_mid_mm,thick_mid_centre_mm"
+    table.write(names + ",sxx_centre_MPa,sxy_centre_MPa,szz_centre_MPa,J_centre,p_centre_MPa,F11_centre\n")
+    displacement, step, before, force = 0.0, given.step, None, 0.0
+    while force < given.force and step > 1e-3:
+        here = state.x.array.copy()
+        for guess in (before, None):  # first along the last change, then from where it stands
+            state.x.array[:] = here if guess is None else here + (here - guess[0]) * step / guess[1]
+            if equilibrium(displacement + step):
+                break
+        else:
+            state.x.array[:] = here
+            step /= 2
+            continue
+        before, displacement = (here, step), displacement + step
+        values = row(displacement)
+        table.write(",".join(f"{value:.8g}" for value in values) + "\n")
+        table.flush()
+        growth, force = values[1] / max(force, 1e-9), values[1]
+        if growth > 1.35 and force > 0.05:
+            step = max(step / 1.5, 0.005)
+        elif growth < 1.2:
+            step = min(1.3 * step, 0.25)
