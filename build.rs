@@ -1,5 +1,5 @@
-//! Embeds the standard library (every `.tissue` file of `specs/energies` and `specs/materials`) and what the
-//! claims about scenes read: all of `specs` and `verification/references`.
+//! Embeds the standard library (every `.tissue` file of `specs/energies` and `specs/materials`), the pages of
+//! diagnostics, and what the claims about scenes read: all of `specs` and `verification/references`.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -23,6 +23,7 @@ fn main() {
     }
     code.push_str("]\n");
     let out = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets the output directory"));
+    std::fs::write(out.join("pages.rs"), pages(&root)).expect("the output directory can be written");
     std::fs::write(out.join("library.rs"), code).expect("the output directory can be written");
     std::fs::write(out.join("files.rs"), embedded(&root)).expect("the output directory can be written");
 }
@@ -39,6 +40,21 @@ fn embedded(root: &Path) -> String {
         let path = file.strip_prefix(root).expect("the walk starts below the root");
         let path = path.to_string_lossy().replace('\\', "/");
         writeln!(code, "    ({path:?}, include_str!({:?})),", file.display().to_string())
+            .expect("writing to a string cannot fail");
+    }
+    code.push_str("]\n");
+    code
+}
+
+/// The page of every diagnostic, by its code.
+fn pages(root: &Path) -> String {
+    let mut files = Vec::new();
+    walk(&root.join("docs/diagnostics"), "md", &mut files);
+    files.sort();
+    let mut code = String::from("&[\n");
+    for file in files {
+        let stem = file.file_stem().expect("a page has a stem").to_string_lossy().into_owned();
+        writeln!(code, "    ({stem:?}, include_str!({:?})),", file.display().to_string())
             .expect("writing to a string cannot fail");
     }
     code.push_str("]\n");

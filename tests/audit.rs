@@ -261,6 +261,51 @@ fn pieces_of_an_energy_that_do_not_meet_are_told_with_the_stretch() {
     assert_eq!(property(&beyond, "joins").standing, Standing::Holds, "a jump beyond the stretches looked at");
 }
 
+/// An isotropic law with a part of its own.
+fn isotropic(part: &str) -> MaterialAudit {
+    audited(&format!(
+        "import std.energies {{ neo_hooke, vol_quadratic }}
+energy kinked {{
+  param k : pressure > 0
+  psi = k*({part})
+}}
+material gum {{
+  energy  = neo_hooke(mu = 10 kPa) + kinked(k = 1 kPa) + vol_quadratic(K = 1 MPa)
+  density = 1000 kg/m^3
+}}"
+    ))
+}
+
+#[test]
+fn kinks_of_max_min_abs_and_the_bracket_are_told_and_smooth_pieces_are_not() {
+    let joins = |part: &str| {
+        let audit = isotropic(part);
+        (property(&audit, "joins").standing, property(&audit, "joins").found.clone())
+    };
+    for (kinked, word) in [
+        ("max(I1bar - 3.1, 0)", "max"),
+        ("min(I1bar - 3, 0.1)", "min"),
+        ("abs(I1bar - 3.1)", "abs"),
+        ("pos(I1bar - 3.1)", "pos"),
+        // equal stretches pass each other, but along no way of the scan
+        ("(I1bar - 3)*abs(lam1bar - lam2bar)", "abs"),
+        ("if(lam2bar > lam3bar, (I1bar - 3)*(lam2bar - lam3bar), 0)", "if"),
+    ] {
+        let (standing, found) = joins(kinked);
+        assert_eq!(standing, Standing::Warns, "{kinked}: {found}");
+        assert!(
+            found.contains("the stress jumps") && found.contains(&format!("`{word}`")),
+            "{kinked}: {found}"
+        );
+    }
+    for smooth in
+        ["max(I1bar - 3.1, 0)^2", "pos(I1bar - 3.1)^3", "abs(I1bar - 3.1)^3", "abs(lam1bar - lam2bar)^2"]
+    {
+        let (standing, found) = joins(smooth);
+        assert_eq!(standing, Standing::Holds, "{smooth}: {found}");
+    }
+}
+
 /// Fibres in all directions, integrated to an order.
 fn everywhere(domain: &str, strain: &str) -> MaterialAudit {
     audited(&format!(

@@ -46,6 +46,16 @@ fn every_file_of_mistakes_has_one() {
 }
 
 #[test]
+fn every_mistake_says_what_to_write() {
+    for path in files() {
+        for told in mistakes(&path).iter().map(Mistake::render) {
+            let help = told.lines().rfind(|line| !line.is_empty());
+            assert!(help.is_some_and(|line| line.starts_with("help: ") && line.len() > 12), "{told}");
+        }
+    }
+}
+
+#[test]
 fn several_mistakes_are_told_in_one_run() {
     let found = mistakes(Path::new("tests/language/several_at_once.tissue"));
     assert!(found.len() >= 8, "{} mistakes", found.len());

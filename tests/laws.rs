@@ -124,6 +124,23 @@ fn directions_arrays_and_lets_reach_the_energy() {
 }
 
 #[test]
+fn a_unit_ends_before_a_function_or_a_list() {
+    let law = |psi: &str| {
+        let text = format!(
+            "tissue 1
+import std.energies {{ vol_quadratic }}
+energy soft {{ param n[k] : number > 0  psi = {psi} }}
+material gel {{ energy = soft(n = [1, 2]) + vol_quadratic(K = 1 MPa)  density = 1000 kg/m^3 }}"
+        );
+        let document = whole(resolve_with("text", &text, &[]));
+        energy(&document.materials[0], |invariant| if invariant == Invariant::J { 1.0 } else { 3.5 })
+    };
+    assert_eq!(law("1 kPa*exp(I1bar - 3)"), law("1 kPa * exp(I1bar - 3)"));
+    assert_eq!(law("2 N/mm^2*sqrt(I1bar - 3 + 1)"), law("(2 MPa) * sqrt(I1bar - 3 + 1)"));
+    assert_eq!(law("2 kPa*n[2]*(I1bar - 3)"), law("2 kPa * n[2] * (I1bar - 3)"));
+}
+
+#[test]
 fn every_energy_of_the_library_is_sound() {
     for file in library() {
         let text = format!("tissue 1\nimport std.{} {{ {} }}\n", file.library, file.name);

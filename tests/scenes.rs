@@ -118,6 +118,34 @@ fn values_given_on_the_command_line_replace_those_written() {
 }
 
 #[test]
+fn a_parameter_may_be_called_without_its_energy_where_one_has_the_name() {
+    let text = |energies: &str| {
+        format!(
+            "tissue 1
+import std.energies {{ neo_hooke, vol_quadratic }}
+material gel {{ energy = {energies} + vol_quadratic(K = 1 MPa)  density = 1000 kg/m^3 }}
+drive pull {{ material = gel  path = uniaxial(x, stretch = 1 .. 2, steps = 2)  record test {{ P = P.xx }} }}
+sweep s {{ of = pull  vary gel.mu = [5 kPa, 6 kPa]  record all {{ P = final(test.P) }} }}"
+        )
+    };
+    let set = [("gel.mu", "7 kPa")];
+    let one = text("neo_hooke(mu = 1 kPa)");
+    let document = whole(resolve_with("text", &one, &set));
+    assert_eq!(document.materials[0].parameters[0].value, 7e3);
+    let points = &document.sweeps[0].points;
+    let mu = |at: usize| match &points[at].swept {
+        Swept::Drive(drive) => drive.material.parameters[0].value,
+        Swept::Scene(_) => panic!("a drive"),
+    };
+    assert_eq!([mu(0), mu(1)], [5e3, 6e3]);
+    let two = text("neo_hooke(mu = 1 kPa) + neo_hooke(mu = 2 kPa)");
+    let told: String = resolve_with("text", &two, &set).1.iter().map(Mistake::render).collect();
+    let help = "help: write `gel.neo_hooke.mu` or `gel.neo_hooke2.mu`";
+    assert!(told.contains("--> --set gel.mu:1:1") && told.contains("--> text:5:"), "{told}");
+    assert_eq!(told.matches(help).count(), 2, "{told}");
+}
+
+#[test]
 fn a_body_may_give_the_parameters_of_its_material_other_values() {
     let text = "tissue 1
 import std.energies { neo_hooke, vol_quadratic }

@@ -54,3 +54,10 @@ fn formatting_a_specification_twice_is_formatting_it_once_and_keeps_every_commen
         assert_eq!(ink(&once), ink(&source.text), "{}", source.name);
     }
 }
+
+#[test]
+fn every_specification_is_in_the_standard_form() {
+    for source in specifications() {
+        assert_eq!(format(&source).as_ref(), Ok(&source.text), "write `tissue fmt {}`", source.name);
+    }
+}

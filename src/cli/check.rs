@@ -2,7 +2,7 @@
 
 use super::Exit;
 use super::arguments::CheckOptions;
-use super::input::{Input, count, read};
+use super::input::{Input, read, tell_mistakes};
 use crate::output::Provenance;
 use crate::output::file::write_atomic;
 use crate::scene::{Check, Material};
@@ -130,9 +130,6 @@ fn draw_maps(input: &Input, folder: &Path, overwrite: bool) -> bool {
 }
 
 fn print(input: &Input, audits: &[MaterialAudit]) {
-    for mistake in &input.mistakes {
-        tell!("{}", mistake.render());
-    }
     if input.mistakes.is_empty() {
         let names = |names: Vec<&str>| if names.is_empty() { "none".into() } else { names.join(", ") };
         say!("{}: no mistakes", input.name);
@@ -153,7 +150,7 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
             say_on!("\n{audit}");
         }
     } else {
-        tell!("{}: {}", input.name, count(input.mistakes.len()));
+        tell_mistakes(&format!("{}: ", input.name), &input.mistakes);
     }
 }
 

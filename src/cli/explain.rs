@@ -2,19 +2,18 @@
 
 use super::Exit;
 use super::arguments::ExplainOptions;
-use crate::scene::vocabulary;
-use crate::schema;
+use crate::scene;
 
-/// Prints what a word of the language means.
+/// Prints what a word means.
 pub fn explain(options: &ExplainOptions) -> Exit {
-    if let Some(text) = schema::explain(vocabulary(), &options.word) {
+    let word = &options.word;
+    if let Some(text) = scene::explain(word) {
         say_on!("{text}");
         return Exit::Fine;
     }
-    let words = vocabulary().all_words().map(|word| word.word);
-    match schema::nearest(&options.word, words) {
-        Some(near) => tell!("error: no word `{}` in the language; did you mean `{near}`?", options.word),
-        None => tell!("error: no word `{}` in the language", options.word),
+    match scene::nearest_word(word) {
+        Some(near) => tell!("error: no word, unit, code or law `{word}`; did you mean `{near}`?"),
+        None => tell!("error: no word, unit, code or law `{word}`"),
     }
     Exit::WrongInput
 }

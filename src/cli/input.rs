@@ -90,11 +90,23 @@ fn sound(input: Result<Input, String>) -> Result<Input, Exit> {
     if input.mistakes.is_empty() {
         return Ok(input);
     }
-    for mistake in &input.mistakes {
+    tell_mistakes("", &input.mistakes);
+    Err(Exit::WrongInput)
+}
+
+/// Most mistakes that are drawn.
+const MOST_DRAWN: usize = 50;
+
+/// Prints the first mistakes and how many there are, that line behind `name`.
+pub fn tell_mistakes(name: &str, mistakes: &[Mistake]) {
+    for mistake in mistakes.iter().take(MOST_DRAWN) {
         tell!("{}", mistake.render());
     }
-    tell!("{}", count(input.mistakes.len()));
-    Err(Exit::WrongInput)
+    let all = count(mistakes.len());
+    match mistakes.len().saturating_sub(MOST_DRAWN) {
+        0 => tell!("{name}{all}"),
+        more => tell!("{name}{all}, {more} of them not shown"),
+    }
 }
 
 /// `1 mistake`, `3 mistakes`.

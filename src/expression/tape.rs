@@ -181,30 +181,88 @@ impl<L> Tape<L> {
         })
     }
 
-    /// Places of the formula's `if`s.
-    pub fn choices(&self) -> impl Iterator<Item = NodeId> {
-        let is_choice = |(_, node): &(usize, &Node<L>)| matches!(node, Node::Select { .. });
-        self.nodes.iter().enumerate().filter(is_choice).map(|(place, _)| place as NodeId)
+    /// Places where the formula is one of two pieces: `if`, `max`, `min`, `abs` and the Macaulay bracket.
+    ///
+    /// Those that depend on a leaf that `bound` names are left out: what an integral runs over.
+    pub fn choices(&self, bound: impl Fn(&L) -> bool) -> Vec<NodeId> {
+        let mut is_bound: Vec<bool> = Vec::with_capacity(self.nodes.len());
+        let mut found = Vec::new();
+        for (place, node) in self.nodes.iter().enumerate() {
+            let of = |ids: &[NodeId]| ids.iter().any(|&id| is_bound[id as usize]);
+            let inside = match node {
+                Node::Constant(_) | Node::Directions { .. } => false,
+                Node::Leaf(leaf) => bound(leaf),
+                Node::Negate(a) | Node::Call(_, a) => of(&[*a]),
+                Node::Add(a, b)
+                | Node::Subtract(a, b)
+                | Node::Multiply(a, b)
+                | Node::Divide(a, b)
+                | Node::Power(a, b)
+                | Node::Max(a, b)
+                | Node::Min(a, b) => of(&[*a, *b]),
+                Node::Select { left, right, then, otherwise, .. } => of(&[*left, *right, *then, *otherwise]),
+                Node::Between { value, upper, lower, .. } => of(&[*value, *upper, *lower]),
+            };
+            is_bound.push(inside);
+            if !inside && self.choice(place as NodeId).is_some() {
+                found.push(place as NodeId);
+            }
+        }
+        found
     }
 
-    /// The same formula with one of its `if`s decided, whatever its condition.
+    /// The word of a choice, what is compared, and the pieces where its margin is positive and where it is not.
+    fn choice(&self, place: NodeId) -> Option<(&'static str, Compared, [Piece; 2])> {
+        Some(match *self.nodes.get(place as usize)? {
+            Node::Select { left, comparison, right, then, otherwise } => {
+                let above = matches!(comparison, Comparison::Greater | Comparison::GreaterEqual);
+                let pieces = if above { [then, otherwise] } else { [otherwise, then] };
+                ("if", (left, Some(right)), pieces.map(Piece::Same))
+            }
+            Node::Max(a, b) => ("max", (a, Some(b)), [Piece::Same(a), Piece::Same(b)]),
+            Node::Min(a, b) => ("min", (a, Some(b)), [Piece::Same(b), Piece::Same(a)]),
+            Node::Call(Function::Abs, a) => ("abs", (a, None), [Piece::Same(a), Piece::Negated(a)]),
+            Node::Call(Function::Pos, a) => ("pos", (a, None), [Piece::Same(a), Piece::Zero]),
+            _ => return None,
+        })
+    }
+
+    /// The word a choice is written with.
+    pub fn choice_word(&self, place: NodeId) -> &'static str {
+        self.choice(place).map_or("", |(word, ..)| word)
+    }
+
+    /// The same formula with one of its choices decided: as where its margin is positive, or where it is not.
     #[must_use]
-    pub fn decided(mut self, choice: NodeId, holds: bool) -> Self {
-        if let Some(Node::Select { left, comparison, right, .. }) = self.nodes.get_mut(choice as usize) {
-            // a number compared with itself
-            *right = *left;
-            *comparison = if holds { Comparison::LessEqual } else { Comparison::Less };
+    pub fn decided(mut self, place: NodeId, above: bool) -> Self {
+        if let Some((_, _, pieces)) = self.choice(place) {
+            self.nodes[place as usize] = match pieces[usize::from(!above)] {
+                // a number compared with itself
+                Piece::Same(a) => Node::Select {
+                    left: a,
+                    comparison: Comparison::LessEqual,
+                    right: a,
+                    then: a,
+                    otherwise: a,
+                },
+                Piece::Negated(a) => Node::Negate(a),
+                Piece::Zero => Node::Constant(0.0),
+            };
         }
         self
     }
 
-    /// `left − right` of the condition of one of the `if`s.
+    /// What is compared in one of the choices: left less right, or what is compared with zero.
     #[must_use]
-    pub fn margin(mut self, choice: NodeId) -> Self {
-        if let Some(Node::Select { left, right, .. }) = self.nodes.get(choice as usize) {
-            let margin = Node::Subtract(*left, *right);
-            self.nodes.truncate(choice as usize);
-            self.nodes.push(margin);
+    pub fn margin(mut self, place: NodeId) -> Self {
+        if let Some((_, (left, right), _)) = self.choice(place) {
+            match right {
+                Some(right) => {
+                    self.nodes.truncate(place as usize);
+                    self.nodes.push(Node::Subtract(left, right));
+                }
+                None => self.nodes.truncate(left as usize + 1),
+            }
         }
         self
     }
@@ -216,4 +274,14 @@ impl<L> Tape<L> {
             _ => None,
         })
     }
+}
+
+/// What a choice compares: two numbers, or one with zero.
+type Compared = (NodeId, Option<NodeId>);
+
+/// What a choice gives on one side.
+enum Piece {
+    Same(NodeId),
+    Negated(NodeId),
+    Zero,
 }

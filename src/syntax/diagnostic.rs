@@ -33,7 +33,7 @@ pub struct Diagnostic {
     pub message: String,
     /// Marked places; the first is where the mistake is, further ones are what it relates to.
     pub labels: Vec<Label>,
-    /// Text to paste, or what to do.
+    /// Text to paste, or what to do; without it the code's own help is told.
     pub help: Option<String>,
 }
 
@@ -55,6 +55,11 @@ impl Diagnostic {
     pub fn with_label(mut self, span: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label::new(span, text));
         self
+    }
+
+    /// What to write instead: its own help, or its code's.
+    pub fn advice(&self) -> &str {
+        self.help.as_deref().unwrap_or_else(|| self.code.help())
     }
 
     /// Draws the mistake without colour, with the lines it marks; columns count characters from 1.
@@ -85,11 +90,9 @@ impl Diagnostic {
         }
         let drawn = Renderer::plain().render(&[title]);
         let mut drawn: String = drawn.lines().flat_map(|line| [line.trim_end(), "\n"]).collect();
-        if let Some(help) = &self.help {
-            drawn.push_str("help: ");
-            drawn.push_str(help);
-            drawn.push('\n');
-        }
+        drawn.push_str("help: ");
+        drawn.push_str(self.advice());
+        drawn.push('\n');
         drawn
     }
 
@@ -122,7 +125,7 @@ impl Diagnostic {
             "message": self.message,
             "file": source.name,
             "labels": labels,
-            "help": self.help,
+            "help": self.advice(),
         })
     }
 }

@@ -14,6 +14,9 @@ use std::rc::Rc;
 /// Column of the weights of rows.
 const WEIGHT: &str = "weight";
 
+/// Largest magnitude of a datum, SI: sums of some 1e8 squares stay finite.
+const LARGEST_DATUM: f64 = 1e150;
+
 /// A table and where its columns are asked for.
 struct Asked {
     table: Rc<Table>,
@@ -189,6 +192,13 @@ fn column(
         let message = format!("`{name}` has no finite number in row {}", row + 1);
         let span = asked.span(name);
         return Err(stage.mistakes.report(&asked.file, Code::WrongForm, span, message, "", None));
+    }
+    if let Some(row) = measured.iter().position(|value| value.abs() > LARGEST_DATUM) {
+        let datum = Quantity::new(measured[row], dimension).to_string();
+        let message = format!("`{name}` is {datum} in row {}: its square is no finite number", row + 1);
+        let help = Some(format!("correct the row in {}, or leave it out", asked.table.reference.path));
+        let span = asked.span(name);
+        return Err(stage.mistakes.report(&asked.file, Code::ParameterOutOfRange, span, message, "", help));
     }
     Ok(FitColumn { name: name.into(), value, unit: dimension.si_symbol(), measured: measured.to_vec() })
 }

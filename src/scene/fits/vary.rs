@@ -1,7 +1,7 @@
 //! `vary = [material.parameter, …]`.
 
 use super::super::file::{File, Reported};
-use super::super::members::Site;
+use super::super::members::{Site, ambiguous};
 use super::super::model::{Drive, Material, MaterialParameter, Sought};
 use super::super::scenes::Stage;
 use super::listed;
@@ -126,13 +126,10 @@ fn index(
             Err(stage.mistakes.report(file, Code::UnknownName, span, message, "", Some(help)))
         }
         several => {
-            let message = format!("`{written}` is the name of {} parameters", several.len());
-            let names: Vec<String> = several
-                .iter()
-                .map(|&index| format!("`{}.{}`", material.name, material.parameters[index].name))
-                .collect();
-            let help = Some(format!("write {}", names.join(" or ")));
-            Err(stage.mistakes.report(file, Code::WrongForm, span, message, "", help))
+            let full = |&index: &usize| format!("{}.{}", material.name, material.parameters[index].name);
+            let meant: Vec<String> = several.iter().map(full).collect();
+            let (message, help) = ambiguous(&format!("{}.{written}", material.name), &meant);
+            Err(stage.mistakes.report(file, Code::WrongForm, span, message, "", Some(help)))
         }
     }
 }

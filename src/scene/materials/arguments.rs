@@ -79,9 +79,15 @@ impl Arguments {
     }
 
     /// Puts values given on the command line in the place of those written: `adventitia.goh.C`.
-    pub(super) fn replace(&mut self, energy: &EnergyDef, overrides: &Overrides, path: &[&str]) {
+    pub(super) fn replace(
+        &mut self,
+        energy: &EnergyDef,
+        overrides: &Overrides,
+        (material, prefix): (&str, &str),
+    ) {
         for parameter in &energy.parameters {
-            let Some(site) = overrides.find(path, &parameter.name.text) else { continue };
+            let found = overrides.find_parameter(material, prefix, &parameter.name.text);
+            let Some(site) = found else { continue };
             match self.list.iter_mut().find(|given| given.name.text == parameter.name.text) {
                 Some(given) => given.site = site,
                 None => self.list.push(Given { name: parameter.name.clone(), site }),

@@ -144,7 +144,7 @@ impl<'a> Sum<'a> {
             .collect();
         let mut given = Arguments::read(evaluator.mistakes, file, function, arguments, &known);
         let prefix = self.prefix(&function.text);
-        given.replace(&energy, self.overrides, &[self.material, &prefix]);
+        given.replace(&energy, self.overrides, (self.material, &prefix));
         let lacks_fibres = energy.fibres.is_some() && self.fibres == 0;
         if lacks_fibres {
             let message = format!(

@@ -3,7 +3,7 @@
 use super::super::file::{File, Mistakes};
 use super::Site;
 use crate::schema::nearest;
-use crate::syntax::{Code, Entry, Item, Name, Source};
+use crate::syntax::{Code, Name, Source, SyntaxTree, parse_expression};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -15,6 +15,8 @@ pub(in crate::scene) struct Overrides {
     values: BTreeMap<String, (Site, Name)>,
     used: RefCell<BTreeSet<String>>,
     known: RefCell<BTreeSet<String>>,
+    /// What a parameter is called without its energy, `gel.mu`, and the whole paths that it may mean.
+    short: RefCell<BTreeMap<String, BTreeSet<String>>>,
 }
 
 impl Overrides {
@@ -22,34 +24,21 @@ impl Overrides {
     pub(in crate::scene) fn read(mistakes: &mut Mistakes, overrides: &[(String, String)]) -> Self {
         let mut values = BTreeMap::new();
         for (path, value) in overrides {
-            // One line each, so that a mistake shows the value as it was given.
-            let text = format!("tissue 1\nset {{\n{path} = {value}\n}}\n");
-            let source = Arc::new(Source { name: "--set".into(), text });
-            let (tree, diagnostics) = crate::syntax::parse(&source);
-            let file = Rc::new(File { source, tree, damaged: false });
-            let broken = !diagnostics.is_empty();
-            for diagnostic in diagnostics {
-                mistakes.push(&file, diagnostic);
-            }
-            let entry = match file.tree.items.as_slice() {
-                [Item::Block(block)] => match block.entries.as_slice() {
-                    [Entry::Assign { keyword: None, key, value, .. }] => Some((key.clone(), *value)),
-                    _ => None,
-                },
-                _ => None,
-            };
-            match entry {
-                Some((key, id)) => {
-                    let parts = &key.parts;
-                    let span = parts[0].span.start..parts[parts.len() - 1].span.end;
-                    let name = Name { text: path.clone(), span };
+            // A source of its own, so that a mistake shows the value as it was given.
+            let source = Source { name: format!("--set {path}"), text: value.clone() };
+            match parse_expression(&source) {
+                Ok((tree, id)) => {
+                    let file = Rc::new(File { source: Arc::new(source), tree, damaged: false });
+                    let name = Name { text: path.clone(), span: 0..value.len() };
                     values.insert(path.clone(), (Site { file, id }, name));
                 }
-                None if broken => {}
-                None => {
-                    let end = file.source.text.len();
-                    let message = "one value of the form `block.key=value` is required";
-                    mistakes.report(&file, Code::UnknownOverride, 0..end, message, "", None);
+                Err(diagnostics) => {
+                    let source = Arc::new(source);
+                    let tree = SyntaxTree::default();
+                    let file = Rc::new(File { source, tree, damaged: false });
+                    for diagnostic in diagnostics {
+                        mistakes.push(&file, diagnostic);
+                    }
                 }
             }
         }
@@ -83,8 +72,39 @@ impl Overrides {
         })
     }
 
-    /// Reports the values nothing asked for.
+    /// The value given for a parameter of an energy: `gel.goh.k1`, or `gel.k1`.
+    pub(in crate::scene) fn find_parameter(&self, material: &str, energy: &str, key: &str) -> Option<Site> {
+        let short = format!("{material}.{key}");
+        let is_own = self.known.borrow().contains(&short);
+        let found = self.find(&[material, energy], key);
+        if is_own {
+            // a parameter of the material itself
+            return found;
+        }
+        let full = format!("{material}.{energy}.{key}");
+        self.short.borrow_mut().entry(short.clone()).or_default().insert(full);
+        found.or_else(|| {
+            let (site, _) = self.values.get(&short)?;
+            self.used.borrow_mut().insert(short);
+            Some(site.clone())
+        })
+    }
+
+    /// What a path may mean, where it is more than one parameter.
+    pub(in crate::scene) fn several(&self, path: &str) -> Option<Vec<String>> {
+        let short = self.short.borrow();
+        let meant = short.get(path).filter(|meant| meant.len() > 1)?;
+        Some(meant.iter().cloned().collect())
+    }
+
+    /// Reports the values nothing asked for, and those that several parameters could mean.
     pub(in crate::scene) fn finish(&self, mistakes: &mut Mistakes) {
+        for (path, (site, name)) in &self.values {
+            if let Some(meant) = self.several(path) {
+                let (message, help) = ambiguous(path, &meant);
+                mistakes.report(&site.file, Code::WrongForm, name.span.clone(), message, "", Some(help));
+            }
+        }
         let (used, known) = (self.used.borrow(), self.known.borrow());
         for (path, (site, name)) in self.values.iter().filter(|(path, _)| !used.contains(*path)) {
             let message = format!("nothing in the file is called `{path}`");
@@ -92,6 +112,12 @@ impl Overrides {
             mistakes.report(&site.file, Code::UnknownOverride, name.span.clone(), message, "not used", help);
         }
     }
+}
+
+/// That a short path is the name of several parameters, and what to write instead.
+pub(in crate::scene) fn ambiguous(path: &str, meant: &[String]) -> (String, String) {
+    let names: Vec<String> = meant.iter().map(|path| format!("`{path}`")).collect();
+    (format!("`{path}` is the name of {} parameters", meant.len()), format!("write {}", names.join(" or ")))
 }
 
 /// The path most likely meant: one that ends in the same word below the same block, or the nearest.

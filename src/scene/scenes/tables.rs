@@ -87,6 +87,11 @@ impl Stage<'_> {
             let message = format!("`{full}` has no header line");
             return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "", None));
         };
+        if table.rows.is_empty() {
+            let message = format!("`{full}` has a header line and no rows below it");
+            let help = Some("write a line of numbers for each row of the table".into());
+            return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "empty", help));
+        }
         if wanted.is_empty() {
             wanted = table
                 .header

@@ -4,7 +4,7 @@
 //! that brought them about.
 
 use super::super::file::{File, Mistake, Reported};
-use super::super::members::Overrides;
+use super::super::members::{Overrides, ambiguous};
 use super::super::model::{SweepPoint, Swept};
 use super::super::session::Session;
 use super::super::words::DRIVE;
@@ -115,7 +115,11 @@ fn refuse_unused(
 ) -> Result<(), Reported> {
     let mut sound = Ok(());
     for entry in entries {
-        if let Some(meant) = overrides.unused(&entry.path.text) {
+        if let Some(meant) = overrides.several(&entry.path.text) {
+            let (message, help) = ambiguous(&entry.path.text, &meant);
+            let span = entry.path.span.clone();
+            sound = Err(session.mistakes.report(file, Code::WrongForm, span, message, "", Some(help)));
+        } else if let Some(meant) = overrides.unused(&entry.path.text) {
             let message = format!("nothing in `{of}` is called `{}`", entry.path.text);
             let help = meant.map(|meant| format!("write `{meant}`"));
             let span = entry.path.span.clone();

@@ -6,6 +6,7 @@
 mod body;
 mod check;
 mod drive;
+mod explain;
 mod expressions;
 mod figure;
 mod fit;
@@ -22,6 +23,7 @@ use crate::schema::{Declaration, Vocabulary};
 pub(super) use body::{BODY, BOND, SYMMETRY};
 pub(super) use check::{CHECK, CHECK_WORDS};
 pub(super) use drive::{DRIVE, PATHS, POINT_RECORD, POINT_WORDS};
+pub use explain::{explain, nearest_word};
 pub(super) use expressions::{
     ENERGY_WORDS, FIELD_WORDS, FILE_SHAPES, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES,
 };
@@ -100,21 +102,6 @@ static VOCABULARY: Vocabulary = Vocabulary {
 /// The words of this version of the language.
 pub fn vocabulary() -> &'static Vocabulary {
     &VOCABULARY
-}
-
-/// What a word of the language means: a block, a key (`run.cfl`), a choice, a function; `None` if it is none.
-pub fn explain(word: &str) -> Option<String> {
-    crate::schema::explain(&VOCABULARY, word)
-}
-
-/// The word of the language nearest to one that is none.
-pub fn nearest_word(word: &str) -> Option<&'static str> {
-    let blocks = BLOCKS.iter().map(|block| block.word);
-    let keys = BLOCKS.iter().flat_map(|block| block.keys.iter().map(|key| key.name));
-    let words = VOCABULARY.all_words().map(|entry| entry.word);
-    let all: Vec<&'static str> = blocks.chain(keys).chain(words).collect();
-    let meant = crate::schema::nearest(word, all.iter().copied())?;
-    all.into_iter().find(|known| *known == meant)
 }
 
 #[cfg(test)]

@@ -90,7 +90,13 @@ pub fn parse_expression(source: &Source) -> Result<(SyntaxTree, ExprId), Vec<Dia
         let shift = |at: usize| at.saturating_sub(BEFORE.len()).min(source.text.len());
         shift(span.start)..shift(span.end)
     };
-    mistakes.iter_mut().flat_map(|m| &mut m.labels).for_each(|label| label.span = inside(&label.span));
+    for mistake in &mut mistakes {
+        if mistake.labels.first().is_some_and(|label| label.span.start >= wrapped.text.len() - 1) {
+            // The brace that closes the block is not the user's.
+            mistake.message = mistake.message.replace("found `}`", "found its end");
+        }
+        mistake.labels.iter_mut().for_each(|label| label.span = inside(&label.span));
+    }
     if !mistakes.is_empty() {
         return Err(mistakes);
     }
