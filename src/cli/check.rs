@@ -141,9 +141,10 @@ fn print(input: &Input, audits: &[MaterialAudit]) {
             let sweeps = input.document.sweeps.iter().filter(move |sweep| sweep.trade.is_some() == trade);
             sweeps.map(|sweep| format!("{} ({} points)", sweep.name, sweep.points.len())).collect::<Vec<_>>()
         };
-        for (word, found) in [("sweeps", of(false)), ("trades", of(true))] {
+        let figures = input.document.figures.iter().map(|figure| figure.name.clone()).collect();
+        for (word, found) in [("sweeps ", of(false)), ("trades ", of(true)), ("figures", figures)] {
             if !found.is_empty() {
-                say!("  {word}     {}", found.join(", "));
+                say!("  {word}    {}", found.join(", "));
             }
         }
         for audit in audits {

@@ -15,10 +15,11 @@ use std::path::Path;
 /// Computes the points of a sweep and writes its tables, figures and report.
 pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, folder: &Path) -> Exit {
     let name = &described.name;
+    let kind = if described.trade.is_some() { "trade" } else { "sweep" };
     for point in &described.points {
         let Swept::Scene(scene) = &point.swept else { continue };
         if let Err(message) = fits(scene) {
-            tell!("error: sweep `{name}`: {message}");
+            tell!("error: {kind} `{name}`: {message}");
             return Exit::WrongInput;
         }
     }
@@ -28,7 +29,7 @@ pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, 
     let SweepOutcome { mut report, tables, points } = match sweep(&job) {
         Ok(outcome) => outcome,
         Err(cause) => {
-            tell!("error: sweep `{name}`: {cause}");
+            tell!("error: {kind} `{name}`: {cause}");
             return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
         }
     };
@@ -44,7 +45,7 @@ pub(super) fn run_sweep(options: &RunOptions, input: &Input, described: &Sweep, 
         exit = Exit::Failed;
     }
     if let RunStatus::Stopped { cause } = &report.status {
-        tell!("error: sweep `{name}` is not whole: {cause}");
+        tell!("error: {kind} `{name}` is not whole: {cause}");
     }
     if options.quiet {
         print_faults(&report.expectations);

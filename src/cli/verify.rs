@@ -4,6 +4,7 @@ use super::Exit;
 use super::arguments::VerifyOptions;
 use crate::output::file::write_atomic;
 use crate::verify::{Claim, Report, Shown, Tier, Topic, claims_of, illustrations, scene_verdicts};
+use std::path::Path;
 
 /// Holds claims and expect lines against their bounds.
 pub fn verify(options: &VerifyOptions) -> Exit {
@@ -14,6 +15,9 @@ pub fn verify(options: &VerifyOptions) -> Exit {
             None => {
                 let known: Vec<&str> = Topic::ALL.iter().map(|topic| topic.name()).collect();
                 tell!("error: no topic `{name}`; the topics are {}", known.join(", "));
+                if Path::new(name).is_file() {
+                    tell!("the `expect` lines of a file are judged by `tissue run {name}`");
+                }
                 return Exit::WrongInput;
             }
         }

@@ -42,8 +42,11 @@ fn part_name(path: &Path) -> PathBuf {
 /// the file system reports otherwise.
 pub fn create_fresh_folder(folder: &Path) -> io::Result<()> {
     if folder.exists() {
-        let holds_something = !folder.is_dir() || fs::read_dir(folder)?.next().is_some();
-        if holds_something {
+        if !folder.is_dir() {
+            let message = format!("{} is no folder", folder.display());
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
+        }
+        if fs::read_dir(folder)?.next().is_some() {
             let message = format!("{} already holds results", folder.display());
             return Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
         }

@@ -113,6 +113,11 @@ impl Mistakes {
         any
     }
 
+    /// Whether a mistake has been reported.
+    pub(super) fn has(&self, mistake: &Mistake) -> bool {
+        self.list.contains(mistake)
+    }
+
     /// The number of mistakes so far.
     pub(super) fn len(&self) -> usize {
         self.list.len()

@@ -25,6 +25,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+pub(super) use rest::stressed;
 pub(super) use term::Energies;
 pub(super) use used::{Declared, Materials, used};
 

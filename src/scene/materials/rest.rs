@@ -25,8 +25,7 @@ pub(super) fn check(mistakes: &mut Mistakes, energy: &Site, material: &Material)
     })?;
     let directions = fixed(&material.directions);
     let identity = Mat3::identity();
-    let stresses = law.conjugate_stresses(&identity, &identity, 1.0, &directions);
-    let p = stresses.sigma_f + cross(&stresses.sigma_h, &identity) + stresses.sigma_j * identity;
+    let p = at_rest(&law, &directions);
     let tangent = law.tangent(&identity, &directions, Kink::Slack);
     let stiffness = tangent.norm();
     if !(p.norm().is_finite() && stiffness.is_finite()) {
@@ -71,6 +70,48 @@ pub(super) fn check(mistakes: &mut Mistakes, energy: &Site, material: &Material)
         (format!("the bulk modulus is 0: {names} does not resist a change of volume"), Some(help))
     };
     Err(mistakes.report(&energy.file, Code::NoVolumetricTerm, span, message, "", help))
+}
+
+/// First Piola–Kirchhoff stress at `F = I`, Pa.
+fn at_rest(law: &Law, directions: &[Vec3]) -> Mat3 {
+    let identity = Mat3::identity();
+    let stresses = law.conjugate_stresses(&identity, &identity, 1.0, directions);
+    stresses.sigma_f + cross(&stresses.sigma_h, &identity) + stresses.sigma_j * identity
+}
+
+/// Stress at rest relative to the tangent that varying directions may cause: that of their lengths' last digits.
+const ZERO_AT_PLACE: f64 = 1e-9;
+
+/// The first of the places at which directions that vary put the undeformed body under stress, and that stress.
+///
+/// Places where a direction is not of unit length are passed over: they may lie outside the body.
+pub(in crate::scene) fn stressed(material: &Material, places: &[Vec3]) -> Option<(Vec3, String)> {
+    let is_fixed = |tape: &Tape<Coordinate>| matches!(tape.nodes(), [crate::expression::Node::Constant(_)]);
+    if material.directions.iter().all(|direction| direction.components.iter().all(is_fixed)) {
+        return None;
+    }
+    let values: Vec<f64> = material.parameters.iter().map(|parameter| parameter.value).collect();
+    let law = Law::compile(&material.energy, &values).ok()?;
+    let mut scratch = Vec::new();
+    places.iter().find_map(|place| {
+        let leaf = |leaf: &Coordinate| match leaf {
+            Coordinate::X(axis) => place[usize::from(*axis)],
+            Coordinate::Time => 0.0,
+        };
+        let mut directions = Vec::new();
+        for direction in &material.directions {
+            let [x, y, z] =
+                direction.components.each_ref().map(|component| component.evaluate(leaf, &mut scratch));
+            let length = Vec3::new(x, y, z).norm();
+            if !((length - 1.0).abs() < 1e-6) {
+                return None;
+            }
+            directions.push(Vec3::new(x, y, z) / length);
+        }
+        let p = at_rest(&law, &directions);
+        let stiffness = law.tangent(&Mat3::identity(), &directions, Kink::Slack).norm();
+        (p.norm() > ZERO_AT_PLACE * stiffness).then(|| (*place, stress(&p, stiffness)))
+    })
 }
 
 /// Smallest eigenvalue of the acoustic tensors along axes, face and space diagonals, Pa.

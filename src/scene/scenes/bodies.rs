@@ -2,13 +2,14 @@
 
 use super::super::blocks::block_name;
 use super::super::file::Reported;
-use super::super::materials::used;
+use super::super::materials::{stressed, used};
 use super::super::members::{Members, duplicate};
 use super::super::model::{Body, SymmetryPlane};
 use super::super::words::{BODY, SYMMETRY};
 use super::shapes::shape;
 use super::stage::Stage;
 use crate::syntax::{Block, Code};
+use crate::tensor::Vec3;
 use crate::unit::{Dimension, Quantity};
 use std::rc::Rc;
 
@@ -60,11 +61,35 @@ impl Stage<'_> {
             ));
         }
         let (material, jitter) = (material?, jitter?);
+        self.refuse_stressed(block, (low, high), material)?;
         let place = file.place(&block.kind.span);
         let body = Body { name: name.text.clone(), place, shape, spacing, jitter, material };
         self.refuse_flood(&body, &site)?;
         self.scene.bodies.push(body);
         Ok(())
+    }
+
+    /// Refuses a body that fibres which vary with the place put under stress where it is not deformed.
+    fn refuse_stressed(
+        &mut self,
+        block: &Block,
+        (low, high): (Vec3, Vec3),
+        material: usize,
+    ) -> Result<(), Reported> {
+        let material = &self.scene.materials[material];
+        let part = |i: u8| f64::from(i) / 4.0;
+        let place = |i, j, k| low + (high - low).component_mul(&Vec3::new(part(i), part(j), part(k)));
+        let places = (0..5).flat_map(|i| (0..5).flat_map(move |j| (0..5).map(move |k| place(i, j, k))));
+        let Some((x, p)) = stressed(material, &places.collect::<Vec<_>>()) else { return Ok(()) };
+        let message = format!(
+            "the undeformed body must be free of stress, but with the directions of `{}` at X = ({:.4e}, {:.4e}, {:.4e}) m it has P = {p}",
+            material.name, x.x, x.y, x.z
+        );
+        let help =
+            "subtract in the energy what its invariants are at rest, or turn the directions there".into();
+        let file = Rc::clone(&self.file);
+        let span = block.kind.span.clone();
+        Err(self.mistakes.report(&file, Code::StressAtRest, span, message, "", Some(help)))
     }
 
     /// Refuses more particles than any machine holds, whatever the symmetry.

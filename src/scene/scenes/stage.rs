@@ -10,7 +10,7 @@ use super::super::session::{Module, Session};
 use super::records::TIME;
 use super::scope::SceneScope;
 use super::tables::Tables;
-use crate::expression::Tape;
+use crate::expression::{Node, Tape};
 use crate::schema::{Choice, Declaration, Kind, nearest};
 use crate::syntax::{Block, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::Dimension;
@@ -206,10 +206,31 @@ impl<'a> Stage<'a> {
         dimension: Dimension,
         depends: (bool, bool),
     ) -> Result<Tape<Coordinate>, Reported> {
-        self.evaluate(site, depends, |e, scope, id| {
+        let field = self.evaluate(site, depends, |e, scope, id| {
             let scalar = e.quantity(scope, id, Required { name, dimension })?;
             Ok(e.tape(scalar))
-        })
+        })?;
+        self.refuse_infinite(site, name, std::slice::from_ref(&field))?;
+        Ok(field)
+    }
+
+    /// Refuses formulas with a number that is none, such as `1/0`.
+    fn refuse_infinite(
+        &mut self,
+        site: &Site,
+        name: &str,
+        formulas: &[Tape<Coordinate>],
+    ) -> Result<(), Reported> {
+        let mut nodes = formulas.iter().flat_map(Tape::nodes);
+        let broken = nodes.find_map(|node| match node {
+            Node::Constant(value) if !value.is_finite() => Some(*value),
+            _ => None,
+        });
+        let Some(value) = broken else { return Ok(()) };
+        let message = format!("`{name}` holds a part whose value is {value}");
+        let help = Some("write no division by 0, and roots and logarithms of positive numbers only".into());
+        let span = site.file.span(site.id);
+        Err(self.mistakes.report(&site.file, Code::ParameterOutOfRange, span, message, "not finite", help))
     }
 
     /// Three formulas over place and time.
@@ -220,10 +241,12 @@ impl<'a> Stage<'a> {
         dimension: Dimension,
         depends: (bool, bool),
     ) -> Result<[Tape<Coordinate>; 3], Reported> {
-        self.evaluate(site, depends, |e, scope, id| {
+        let fields = self.evaluate(site, depends, |e, scope, id| {
             let vector = e.vector_quantity(scope, id, Required { name, dimension })?;
             Ok(vector.map(|component| e.tape(component)))
-        })
+        })?;
+        self.refuse_infinite(site, name, &fields)?;
+        Ok(fields)
     }
 
     /// One of the words a key allows.

@@ -96,7 +96,9 @@ fn point(
         mistake.source.name == file.source.name
             && label.is_some_and(|l| sites().any(|s| file.span(s.id).contains(&l.span.start)))
     };
-    session.mistakes.extend(found.into_iter().map(|mut mistake| {
+    // What is wrong whatever the values are has been told.
+    let new: Vec<Mistake> = found.into_iter().filter(|mistake| !session.mistakes.has(mistake)).collect();
+    session.mistakes.extend(new.into_iter().map(|mut mistake| {
         if !of_value(&mistake) {
             mistake.diagnostic.message.push_str(&format!(", with {}", values.join(", ")));
         }

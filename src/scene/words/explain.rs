@@ -11,7 +11,12 @@ static PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/pages.rs"));
 /// What a word means: a block, a key (`run.cfl`), a choice, a function; an energy or material of the library; a
 /// unit or dimension; the code of a mistake. A word with several meanings gets all of them, `None` if it has none.
 pub fn explain(word: &str) -> Option<String> {
-    let named = library().iter().filter(|file| file.name == word || written(file) == word);
+    // `goh.kappa` is shown where it is declared
+    let owner = |file: &LibraryFile| {
+        word.split_once('.')
+            .is_some_and(|(name, key)| name == file.name && file.text.contains(&format!("param {key}")))
+    };
+    let named = library().iter().filter(|file| file.name == word || written(file) == word || owner(file));
     let parts = schema::explain(&VOCABULARY, word).into_iter();
     let parts = parts.chain(named.map(shown)).chain(unit(word)).chain(dimension(word)).chain(page(word));
     let parts: Vec<String> = parts.collect();
@@ -90,6 +95,7 @@ mod tests {
         }
         let kilopascal = explain("kPa").expect("a unit");
         assert!(kilopascal.contains("1 kPa = 1000 Pa"), "{kilopascal}");
+        assert!(explain("goh.kappa").is_some_and(|text| text.contains("energy goh")));
         assert!(explain("e0304").is_some() && explain("std.energies.goh").is_some());
     }
 

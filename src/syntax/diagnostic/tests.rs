@@ -39,6 +39,7 @@ fn columns_are_right_behind_greek_letters_tabs_and_crlf() {
       |
     2 |     λ₁ = σ µ
       |            ^ here
+    help: write a name that is declared, or declare this one with `let`
     ");
     let json = diagnostic.to_json(&source(text));
     assert_eq!(json["labels"][0]["start"], json!({ "line": 2, "column": 9 }));
@@ -67,10 +68,13 @@ fn two_marks_on_two_lines_are_both_drawn() {
 }
 
 #[test]
-fn a_diagnostic_without_a_place_is_its_message() {
+fn a_diagnostic_without_a_place_is_its_message_and_help() {
     let diagnostic =
         Diagnostic { code: Code::FileTooLarge, message: "too large".into(), labels: vec![], help: None };
-    assert_eq!(diagnostic.render(&source("")), "error[E0103]: too large\n");
+    assert_eq!(
+        diagnostic.render(&source("")),
+        "error[E0103]: too large\nhelp: split the file and `import` its parts\n"
+    );
 }
 
 proptest! {
