@@ -103,7 +103,8 @@ pub(in crate::scene) fn stressed(material: &Material, places: &[Vec3]) -> Option
             let [x, y, z] =
                 direction.components.each_ref().map(|component| component.evaluate(leaf, &mut scratch));
             let length = Vec3::new(x, y, z).norm();
-            if !((length - 1.0).abs() < 1e-6) {
+            let is_unit = (length - 1.0).abs() < 1e-6;
+            if !is_unit {
                 return None;
             }
             directions.push(Vec3::new(x, y, z) / length);
