@@ -97,6 +97,9 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         }
         .into(),
     );
+    if run.volume_dissipation != VolumeDissipation::Off {
+        add("volume_wave_weight", run.volume_wave_weight.to_string());
+    }
     if let VolumeDissipation::Restoring { rate } = run.volume_dissipation {
         let chosen = format!("{RELAXATION_OF_J:.0} c_p/dx");
         add("volume_relaxation", rate.map_or(chosen, |rate| format!("{rate:.4e} s^-1")));

@@ -205,7 +205,7 @@ pub struct ForceTerms {
 /// What D(J) is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VolumeTerms {
-    /// Pressure wave speed of the jump, m/s.
+    /// Pressure wave speed of the jump over the weight of D(J), m/s.
     pub speed: f64,
     /// Rate at which J is drawn to `det F`, 1/s; 0 as printed.
     pub relaxation: f64,

@@ -90,7 +90,9 @@ impl Simulation {
             let terms = simulation.force_terms(index);
             let rate = dissipation_rate(&mut simulation.bodies[index], terms);
             // D(J) relaxes J at the same rate as D(p) relaxes p: both go with c_p over the spacing
-            let (share, relaxation) = terms.volume.map_or((1.0, 0.0), |volume| (2.0, volume.relaxation));
+            let weight = simulation.run.volume_wave_weight;
+            let (share, relaxation) =
+                terms.volume.map_or((1.0, 0.0), |volume| (1.0 + weight, volume.relaxation));
             simulation.bodies[index].dissipation_rate = share * rate + relaxation;
         }
         simulation.refresh_stable_step()?;
@@ -284,7 +286,7 @@ impl Simulation {
                 rate.unwrap_or(RELAXATION_OF_J * speed / body.particles.spacing)
             }
         };
-        Some(VolumeTerms { speed, relaxation })
+        Some(VolumeTerms { speed: speed / self.run.volume_wave_weight, relaxation })
     }
 
     fn kick(&mut self, step: f64) {

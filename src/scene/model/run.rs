@@ -117,6 +117,8 @@ pub struct Run {
     pub hourglass_stiffness: f64,
     /// D(J).
     pub volume_dissipation: VolumeDissipation,
+    /// Factor of D(J).
+    pub volume_wave_weight: f64,
     /// Angular momentum of free bodies.
     pub angular_momentum: AngularMomentum,
     /// Steps between two refreshes of the wave speed.

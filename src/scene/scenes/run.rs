@@ -29,6 +29,7 @@ pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
         shear_wave_weight: 1.0,
         hourglass_stiffness: 0.0,
         volume_dissipation: if seed { VolumeDissipation::On } else { VolumeDissipation::Off },
+        volume_wave_weight: 1.0,
         angular_momentum: AngularMomentum::Free,
         wave_speed_every: if seed { 0 } else { 10 },
         written: Vec::new(),
@@ -87,6 +88,11 @@ impl Stage<'_> {
             let message = "`volume_dissipation` acts on an evolved J, but `formulation = pF` derives it";
             let help = "write `formulation = pFJ` or `volume_dissipation = off`";
             return refuse("volume_dissipation", message, help);
+        }
+        if members.written("volume_wave_weight").is_some() && run.volume_dissipation == VolumeDissipation::Off
+        {
+            let message = "`volume_wave_weight` scales D(J), which is off";
+            return refuse("volume_wave_weight", message, "write `volume_dissipation = on`");
         }
         let restoring = matches!(run.volume_dissipation, VolumeDissipation::Restoring { .. });
         if members.written("volume_relaxation").is_some() && !restoring {
@@ -156,6 +162,8 @@ impl Reader<'_, '_, '_> {
         run.shear_wave_weight = shear.unwrap_or(run.shear_wave_weight);
         let hourglass = self.value("hourglass_stiffness", Dimension::NUMBER, (0.0, 1e6), true);
         run.hourglass_stiffness = hourglass.unwrap_or(run.hourglass_stiffness);
+        let volume = self.value("volume_wave_weight", Dimension::NUMBER, (0.0, 100.0), false);
+        run.volume_wave_weight = volume.unwrap_or(run.volume_wave_weight);
         let rate = self.value("volume_relaxation", Dimension::FREQUENCY, (0.0, f64::INFINITY), false);
         match self.choice("volume_dissipation") {
             Some("on") => run.volume_dissipation = VolumeDissipation::On,

@@ -166,6 +166,12 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
             doc: "Whether the volume map is upwinded; it needs a formulation that evolves J.",
         },
         Parameter {
+            name: "volume_wave_weight",
+            kind: Kind::Quantity("number"),
+            presence: Presence::Default("1"),
+            doc: "Factor of the volume dissipation; 1 is as printed, 1/(2 c_p).",
+        },
+        Parameter {
             name: "volume_relaxation",
             kind: Kind::Quantity("frequency"),
             presence: Presence::Default("chosen by the plan"),
