@@ -56,9 +56,15 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
         tier: Tier::Full,
         wrong: &[("rubber.E", "8 MPa"), ("column.spacing", "0.125 m")],
     },
+    BenchmarkFile {
+        path: "specs/classics/twisting_column_compact.tissue",
+        tier: Tier::Full,
+        wrong: &[("rubber.E", "8 MPa"), ("column.spacing", "0.125 m")],
+    },
     BenchmarkFile { path: "specs/classics/bending_column.tissue", tier: Tier::Full, wrong: &[] },
     BenchmarkFile { path: "specs/punch/jump.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/punch/smooth.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
+    BenchmarkFile { path: "specs/punch/lightly.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/fits/myocardium.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile { path: "specs/fits/rubber.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile {
