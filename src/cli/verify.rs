@@ -41,9 +41,13 @@ pub fn verify(options: &VerifyOptions) -> Exit {
         }
     }
     let mut verdicts: Vec<_> = claims.iter().map(Claim::judge).collect();
+    let mut figures = Vec::new();
     if topics.contains(&Topic::Benchmarks) {
         match scene_verdicts(tier) {
-            Ok(list) => verdicts.extend(list),
+            Ok((list, drawn)) => {
+                verdicts.extend(list);
+                figures.extend(drawn);
+            }
             Err(cause) => {
                 tell!("error: {cause}");
                 return Exit::Failed;
@@ -61,7 +65,10 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     files.extend(options.json.as_ref().map(|path| (path, report.to_json())));
     if let Some(path) = &options.html {
         match drawn(&report) {
-            Ok(figures) => files.push((path, report.to_html(&figures))),
+            Ok(list) => {
+                figures.extend(list);
+                files.push((path, report.to_html(&figures)));
+            }
             Err(cause) => {
                 tell!("error: {cause}");
                 return Exit::Failed;
@@ -85,7 +92,7 @@ fn drawn(report: &Report) -> Result<Vec<Shown>, String> {
             let figure = (illustration.figure)();
             let svg =
                 figure.to_svg().map_err(|cause| format!("figure of `{}`: {cause}", illustration.claim))?;
-            figures.push(Shown { claim: illustration.claim.into(), svg });
+            figures.push(Shown { claim: illustration.claim.into(), source: None, svg });
         }
     }
     Ok(figures)

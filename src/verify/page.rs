@@ -11,8 +11,16 @@ use std::fmt::Write;
 pub struct Shown {
     /// The claim.
     pub claim: String,
+    /// Where the claim is from, if others may have the same words.
+    pub source: Option<String>,
     /// The figure as SVG.
     pub svg: String,
+}
+
+impl Shown {
+    fn is_of(&self, verdict: &Verdict) -> bool {
+        self.claim == verdict.claim && self.source.as_ref().is_none_or(|source| *source == verdict.source)
+    }
 }
 
 /// Width of the strip of a claim's numbers, units.
@@ -33,7 +41,10 @@ impl Report {
              <p class=\"verdict {class}\"><b>{word}</b>: {held} of {} claims hold.</p>\
              <p>A claim holds where its measured error is within its bound and a variant made wrong on purpose, the \
              control, misses the bound at least tenfold. Each bound has its reason. Lines of <code>expect</code> are \
-             claims of the files they stand in.</p></header>",
+             claims of the files they stand in.</p>\
+             <p>On each strip the dot is the measured error, the tick the bound and the cross the control; grey begins at \
+             ten bounds. Where a claim is about an order, its error is what the order falls short by; the order itself \
+             is in the figure.</p></header>",
             escaped(&self.version),
             self.claims.len()
         );
@@ -90,7 +101,7 @@ fn card(page: &mut String, verdict: &Verdict, figures: &[Shown]) {
     let Verdict { claim, source, because, measured, bound, control, .. } = verdict;
     let _ = write!(
         page,
-        "<article class=\"{class}\"><h3><span class=\"mark\">{word}</span> {}</h3>{}\
+        "<article class=\"{class}\"><div><h3><span class=\"mark\">{word}</span> {}</h3>{}\
          <dl><dt>measured</dt><dd>{measured:.3e}</dd><dt>bound</dt><dd>{bound:.3e}</dd>\
          <dt>control</dt><dd>{control:.3e}</dd></dl>\
          <p><b>source</b> {}</p><p><b>bound because</b> {}</p>",
@@ -99,8 +110,14 @@ fn card(page: &mut String, verdict: &Verdict, figures: &[Shown]) {
         escaped(source),
         escaped(because)
     );
-    for shown in figures.iter().filter(|shown| shown.claim == *claim) {
-        let _ = write!(page, "<figure>{}</figure>", shown.svg);
+    page.push_str("</div>");
+    let mut drawn = figures.iter().filter(|shown| shown.is_of(verdict)).peekable();
+    if drawn.peek().is_some() {
+        page.push_str("<div>");
+        for shown in drawn {
+            let _ = write!(page, "<figure>{}</figure>", shown.svg);
+        }
+        page.push_str("</div>");
     }
     page.push_str("</article>");
 }
@@ -171,22 +188,23 @@ fn escaped(text: &str) -> String {
 
 const HEAD: &str = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\
 <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>tissue: claims and verdicts</title><style>
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 62rem; margin: 0 auto; padding: 1.5rem; }
+body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 76rem; margin: 0 auto; padding: 1.5rem; }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.2rem; border-bottom: 1px solid #ccc; margin-top: 2.2rem; }
 h3 { font-size: 1rem; margin: 0 0 .4rem; }
-article { border: 1px solid #ddd; border-left: 5px solid #0072b2; padding: .8rem 1rem; margin: .9rem 0; }
+article { border: 1px solid #ddd; border-left: 5px solid #0072b2; padding: .8rem 1rem; margin: .9rem 0; display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 28rem); gap: 0 1.5rem; }
+@media (max-width: 52rem) { article { display: block; } }
 article.fails { border-left-color: #d55e00; background: #fff6ef; }
 .mark { font-size: .8rem; padding: .1rem .45rem; border-radius: .25rem; background: #e3f0f8; color: #00507d; }
 .fails .mark, li, .verdict.fails b { color: #a33f00; } .fails .mark { background: #fde6d8; }
 dl { display: grid; grid-template-columns: repeat(3, max-content 1fr); gap: 0 .6rem; margin: .4rem 0; }
 dt { color: #555; } dd { margin: 0; font-variant-numeric: tabular-nums; }
-p { margin: .3rem 0; } p b { font-weight: 600; color: #555; margin-right: .3rem; }
+p { margin: .3rem 0; } p b { font-weight: 600; color: #555; margin-right: .3rem; } .verdict b { margin: 0; color: #00507d; }
 table { border-collapse: collapse; } th, td { text-align: left; padding: .2rem 1rem .2rem 0; } tr.fails td { color: #a33f00; font-weight: 600; }
 .strip { width: 100%; max-width: 34rem; display: block; } .strip text { font: 10px system-ui, sans-serif; text-anchor: middle; fill: #555; }
 .within { fill: #cfe6f3; } .beyond { fill: #eee; } .axis { stroke: #777; stroke-width: 1; } .bound { stroke: #222; stroke-width: 1.5; }
 .measured { fill: #0072b2; } .fails .measured { fill: #d55e00; } .control { stroke: #222; stroke-width: 1.8; fill: none; }
-figure { margin: .8rem 0 0; } figure svg { width: 100%; max-width: 34rem; height: auto; }
-@media print { article { break-inside: avoid; } }
+figure { margin: 0; } figure svg { width: 100%; max-width: 34rem; height: auto; }
+@media print { body { font-size: 12px; padding: 0; max-width: none; } article { break-inside: avoid; display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 19rem); } h2 { break-after: avoid; } }
 </style></head><body>";
 
 #[cfg(test)]
@@ -210,14 +228,26 @@ mod tests {
 
     #[test]
     fn the_page_shows_every_claim_with_its_numbers_and_names_what_fails() {
-        let figure = Shown { claim: "a broken one".into(), svg: "<svg id=\"shown\"></svg>".into() };
+        let figure =
+            Shown { claim: "a broken one".into(), source: None, svg: "<svg id=\"shown\"></svg>".into() };
         let page = report().to_html(&[figure]);
         insta::assert_snapshot!("page", page);
         assert!(page.contains("1 of 2 claims hold") && page.contains("<li>a broken one: the measured error"));
         assert!(page.contains("stress &lt; derivative &amp; nothing else"));
         // the figure stands in the card of its claim, the last
         let (before, after) = page.split_once("<svg id=\"shown\">").expect("the figure is on the page");
-        assert!(before.ends_with("<figure>") && after.starts_with("</svg></figure></article>"));
+        assert!(before.ends_with("<figure>") && after.starts_with("</svg></figure></div></article>"));
+    }
+
+    #[test]
+    fn a_figure_of_one_source_is_not_shown_beside_the_same_words_from_another() {
+        let of = |source: &str| Shown {
+            claim: "a broken one".into(),
+            source: Some(source.into()),
+            svg: "<svg id=\"shown\"></svg>".into(),
+        };
+        assert!(report().to_html(&[of("a book")]).contains("id=\"shown\""));
+        assert!(!report().to_html(&[of("another book")]).contains("id=\"shown\""));
     }
 
     #[test]

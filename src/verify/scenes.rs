@@ -5,11 +5,16 @@
 
 use super::claim::{CONTROL_FACTOR, Tier, Topic, Verdict};
 use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
+use super::page::Shown;
 use crate::output::report::{ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, Table};
 use crate::plan::Plan;
-use crate::run::{DriveJob, FitJob, Job, SweepJob, SweepOutcome, control, drive, execute, fit};
-use crate::scene::{Document, Drive, Expectation, Fit, LoadError, Loader, Scene, Sweep, library, resolve};
+use crate::run::{
+    DriveJob, FitJob, Job, SweepJob, SweepOutcome, control, drive, execute, figures, fit, sweep_figures,
+};
+use crate::scene::{
+    Document, Drive, Expectation, Fit, LoadError, Loader, Plot, Scene, Sweep, library, resolve,
+};
 use crate::syntax::Source;
 
 /// Files compiled into the program, by their path in the project.
@@ -40,30 +45,30 @@ fn document(path: &str, text: String, overrides: &[(String, String)]) -> Result<
 }
 
 /// Runs every benchmark scene and sweep of a tier and below, and every drive of the library, and judges
-/// their expect lines.
+/// their expect lines; the plots of each stand beside its first line.
 ///
 /// # Errors
 /// If a file does not resolve or cannot be set up. A run that stops early is a verdict that fails.
-pub fn scene_verdicts(tier: Tier) -> Result<Vec<Verdict>, String> {
-    let mut verdicts = Vec::new();
+pub fn scene_verdicts(tier: Tier) -> Result<(Vec<Verdict>, Vec<Shown>), String> {
+    let mut held = Held::default();
     for BenchmarkFile { path, wrong, .. } in SCENES.iter().filter(|file| file.tier <= tier) {
         let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
         let document = document(path, text, &[])?;
         for drive in &document.drives {
-            verdicts.extend(verdicts_of_drive(path, drive)?);
+            held.add(verdicts_of_drive(path, drive)?);
         }
         for fit in &document.fits {
-            verdicts.extend(verdicts_of_fit(path, fit)?);
+            held.add((verdicts_of_fit(path, fit)?, Vec::new()));
         }
         for scene in &document.scenes {
-            verdicts.extend(verdicts_of(path, scene, wrong)?);
+            held.add(verdicts_of(path, scene, wrong)?);
         }
         for sweep in &document.sweeps {
-            verdicts.extend(verdicts_of_sweep(path, sweep, wrong)?);
+            held.add(verdicts_of_sweep(path, sweep, wrong)?);
         }
     }
-    verdicts.extend(library_verdicts()?);
-    Ok(verdicts)
+    held.verdicts.extend(library_verdicts()?);
+    Ok((held.verdicts, held.figures))
 }
 
 /// Runs every drive of the standard library and judges its expect lines.
@@ -75,20 +80,63 @@ pub fn library_verdicts() -> Result<Vec<Verdict>, String> {
     for file in library() {
         let path = format!("specs/{}/{}.tissue", file.library, file.name);
         for drive in &document(&path, file.text.into(), &[])?.drives {
-            verdicts.extend(verdicts_of_drive(&path, drive)?);
+            verdicts.extend(verdicts_of_drive(&path, drive)?.0);
         }
     }
     Ok(verdicts)
 }
 
-fn verdicts_of(path: &str, scene: &Scene, changes: &[(&str, &str)]) -> Result<Vec<Verdict>, String> {
+/// Verdicts and plots so far.
+#[derive(Default)]
+struct Held {
+    verdicts: Vec<Verdict>,
+    figures: Vec<Shown>,
+}
+
+impl Held {
+    /// Adds the verdicts of a run, its plots beside the first.
+    fn add(&mut self, (verdicts, plots): (Vec<Verdict>, Vec<String>)) {
+        if let Some(first) = verdicts.first() {
+            let (claim, source) = (&first.claim, &first.source);
+            let shown = |svg| Shown { claim: claim.clone(), source: Some(source.clone()), svg };
+            self.figures.extend(plots.into_iter().map(shown));
+        }
+        self.verdicts.extend(verdicts);
+    }
+}
+
+/// Verdicts of a run and its plots as SVG.
+type Judged = Result<(Vec<Verdict>, Vec<String>), String>;
+
+/// Curves of a run that reached its end; fields would need frames, which nothing in memory has.
+fn pictures(
+    name: &str,
+    plots: &[Plot],
+    tables: &[Table],
+    provenance: &Provenance,
+) -> Result<Vec<String>, String> {
+    let plots: Vec<Plot> = plots.iter().filter(|plot| plot.picture.fields.is_none()).cloned().collect();
+    drawn(name, figures(name, &plots, tables, provenance, None))
+}
+
+/// Plots that were drawn, or the first that could not be.
+fn drawn(name: &str, plots: Vec<(String, Result<String, String>)>) -> Result<Vec<String>, String> {
+    plots
+        .into_iter()
+        .map(|(plot, svg)| svg.map_err(|cause| format!("{name}, plot `{plot}`: {cause}")))
+        .collect()
+}
+
+fn verdicts_of(path: &str, scene: &Scene, changes: &[(&str, &str)]) -> Judged {
     let plan = Plan::new(scene);
     let provenance = Provenance::new(path, "", &scene.name);
-    let job = Job { scene, plan: &plan, provenance, folder: None };
+    let job = Job { scene, plan: &plan, provenance: provenance.clone(), folder: None };
     let outcome = execute(&job, &mut ()).map_err(|cause| format!("{path}: {cause}"))?;
     let (report, stopped) = (&outcome.report, outcome.failure.is_some());
     let mut verdicts =
         judged(&scene.name, &scene.expectations, &report.expectations, &outcome.tables, stopped);
+    let shown =
+        if stopped { Vec::new() } else { pictures(&scene.name, &scene.plots, &outcome.tables, &provenance)? };
     let results = wrong_variant(path, &scene.name, changes)?;
     for (verdict, wrong) in verdicts.iter_mut().zip(results) {
         // a line the wrong scene breaks shows what it can tell; others hold of any material
@@ -98,7 +146,7 @@ fn verdicts_of(path: &str, scene: &Scene, changes: &[(&str, &str)]) -> Result<Ve
                 format!("the tolerance the file states; the control is the scene with {}", listed(changes));
         }
     }
-    Ok(verdicts)
+    Ok((verdicts, shown))
 }
 
 /// Changed values as they would be written: `a = 1 mm, b = 2`.
@@ -125,24 +173,28 @@ fn wrong_variant(
     Ok(outcome.report.expectations)
 }
 
-fn verdicts_of_sweep(
-    path: &str,
-    described: &Sweep,
-    changes: &[(&str, &str)],
-) -> Result<Vec<Verdict>, String> {
+fn verdicts_of_sweep(path: &str, described: &Sweep, changes: &[(&str, &str)]) -> Judged {
     let name = &described.name;
     let outcome = swept(path, described)?;
     let stopped = matches!(outcome.report.status, RunStatus::Stopped { .. });
     let found = &outcome.report.expectations;
     let mut verdicts = judged(name, &described.expectations, found, &outcome.tables, stopped);
+    let provenance = Provenance::new(path, "", name);
+    let shown = if stopped {
+        Vec::new()
+    } else {
+        drawn(name, sweep_figures(described, &outcome.tables, &outcome.points, &provenance))?
+    };
     if changes.is_empty() {
-        return Ok(verdicts);
+        return Ok((verdicts, shown));
     }
     let overrides: Vec<(String, String)> =
         changes.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
     let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
     let changed = document(path, text, &overrides)?;
-    let Some(wrong) = changed.sweeps.iter().find(|sweep| sweep.name == *name) else { return Ok(verdicts) };
+    let Some(wrong) = changed.sweeps.iter().find(|sweep| sweep.name == *name) else {
+        return Ok((verdicts, shown));
+    };
     for (verdict, wrong) in verdicts.iter_mut().zip(swept(path, wrong)?.report.expectations) {
         if let Some(measured) = wrong.measured.filter(|measured| *measured > CONTROL_FACTOR * verdict.bound) {
             verdict.control = measured;
@@ -150,7 +202,7 @@ fn verdicts_of_sweep(
                 format!("the tolerance the file states; the control is the sweep with {}", listed(changes));
         }
     }
-    Ok(verdicts)
+    Ok((verdicts, shown))
 }
 
 fn swept(path: &str, sweep: &Sweep) -> Result<SweepOutcome, String> {
@@ -160,12 +212,16 @@ fn swept(path: &str, sweep: &Sweep) -> Result<SweepOutcome, String> {
     crate::run::sweep(&job).map_err(|cause| format!("{path}: {cause}"))
 }
 
-fn verdicts_of_drive(path: &str, described: &Drive) -> Result<Vec<Verdict>, String> {
+fn verdicts_of_drive(path: &str, described: &Drive) -> Judged {
     let provenance = Provenance::new(path, "", &described.name);
-    let job = DriveJob { drive: described, provenance, folder: None };
+    let job = DriveJob { drive: described, provenance: provenance.clone(), folder: None };
     let outcome = drive(&job).map_err(|cause| format!("{path}: {cause}"))?;
     let (report, stopped) = (&outcome.report, outcome.failure.is_some());
-    Ok(judged(&described.name, &described.expectations, &report.expectations, &outcome.tables, stopped))
+    let name = &described.name;
+    let verdicts = judged(name, &described.expectations, &report.expectations, &outcome.tables, stopped);
+    let shown =
+        if stopped { Vec::new() } else { pictures(name, &described.plots, &outcome.tables, &provenance)? };
+    Ok((verdicts, shown))
 }
 
 fn verdicts_of_fit(path: &str, described: &Fit) -> Result<Vec<Verdict>, String> {

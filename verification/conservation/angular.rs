@@ -1,7 +1,10 @@
 //! Angular momentum of a body that nothing holds.
 
 use crate::monitor::totals;
+use crate::output::Figure;
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::{bounded, history, orders};
 use crate::verify::claims::scene::{scene, simulation, small_cube, step};
 use crate::verify::{Claim, Topic};
 
@@ -52,7 +55,7 @@ pub(super) const PROJECTED_VERLET: Claim = Claim {
     source: "velocity Verlet; least correction with multipliers",
     because: CENTRAL.because,
     bound: 8.8e-14,
-    measure: || drift("angular_momentum = projected"),
+    measure: || drift(PROJECTED),
     control: || drift(""),
 };
 
@@ -70,12 +73,68 @@ pub(super) const HEUN_DRIFT: Claim = Claim {
     control: || (drift_order("momentum_dissipation = linear") - 3.0).abs(),
 };
 
+/// Angular momentum over time, and Heun's drift over the step.
+pub(super) const FIGURES: [Illustration; 5] = [
+    Illustration {
+        claim: CENTRAL.claim,
+        figure: || figure(&[("c_s off", "shear_wave_weight = 0"), ("c_s on (control)", "")], CENTRAL.bound),
+    },
+    Illustration {
+        claim: PROJECTED_VERLET.claim,
+        figure: || figure(&[("projected", PROJECTED), ("free (control)", "")], PROJECTED_VERLET.bound),
+    },
+    Illustration {
+        claim: PROJECTED_HEUN.claim,
+        figure: || {
+            let free = "integrator = tvd_rk2";
+            let projected = "integrator = tvd_rk2  angular_momentum = projected";
+            figure(&[("projected", projected), ("free (control)", free)], PROJECTED_HEUN.bound)
+        },
+    },
+    Illustration {
+        claim: PROJECTED_SSP_RK3.claim,
+        figure: || {
+            let free = "integrator = ssp_rk3";
+            let projected = "integrator = ssp_rk3  angular_momentum = projected";
+            figure(&[("projected", projected), ("free (control)", free)], PROJECTED_SSP_RK3.bound)
+        },
+    },
+    Illustration {
+        claim: HEUN_DRIFT.claim,
+        figure: || {
+            let drifts = |run: &str| [0.2, 0.1, 0.05, 0.025].map(|cfl| drift_of_step(run, cfl)).to_vec();
+            let lines = [
+                ("without D(p)", drifts("momentum_dissipation = off")),
+                ("with D(p) (control)", drifts("momentum_dissipation = linear")),
+            ];
+            let title = "Heun: change of angular momentum in 2 ms";
+            orders(title, ("time step", "s"), ("change", "kg m²/s"), &lines, 3.0)
+        },
+    },
+];
+
+const PROJECTED: &str = "angular_momentum = projected";
+
+fn figure(runs: &[(&'static str, &str)], bound: f64) -> Figure {
+    let lines: Vec<_> = runs.iter().map(|&(label, run)| (label, drifts(run, 40))).collect();
+    let title = "A free fibrous cube: angular momentum";
+    bounded(history(title, "change over sum of m |x × v|", &lines, 1e-18), bound)
+}
+
 fn drift(run: &str) -> f64 {
+    drifts(run, 1).last().map_or(f64::NAN, |sample| sample.1)
+}
+
+/// Change over the sum of the parts' magnitudes, at so many times.
+fn drifts(run: &str, samples: u64) -> Vec<(f64, f64)> {
     let scene = scene(&small_cube(run, ""));
     let mut simulation = simulation(&scene);
     let (before, scale) = state(&simulation, &scene);
-    step(&mut simulation, &scene, STEPS);
-    (state(&simulation, &scene).0 - before).norm() / scale
+    let sample = |_| {
+        step(&mut simulation, &scene, STEPS / samples);
+        (simulation.time(), (state(&simulation, &scene).0 - before).norm() / scale)
+    };
+    (0..samples).map(sample).collect()
 }
 
 /// Angular momentum and the sum of its parts' magnitudes.
@@ -89,15 +148,17 @@ fn state(simulation: &crate::solver::Simulation, scene: &crate::scene::Scene) ->
 
 /// Order in the step of the drift over a fixed time, by Heun's method.
 fn drift_order(run: &str) -> f64 {
-    let at = |cfl: f64| {
-        let text = small_cube(&format!("integrator = tvd_rk2  cfl = {cfl}  wave_speed_every = 0  {run}"), "");
-        let mut scene = scene(&text.replace("until = 1 s", "until = 2 ms"));
-        scene.run.until = 2e-3;
-        let mut simulation = simulation(&scene);
-        let before = state(&simulation, &scene).0;
-        while !simulation.step_towards(scene.run.until).expect("the scene of a claim runs") {}
-        ((state(&simulation, &scene).0 - before).norm(), simulation.steps() as f64)
-    };
-    let ((coarse, few), (fine, many)) = (at(0.1), at(0.05));
-    libm::log(coarse / fine) / libm::log(many / few)
+    let ((long, coarse), (short, fine)) = (drift_of_step(run, 0.1), drift_of_step(run, 0.05));
+    libm::log(coarse / fine) / libm::log(long / short)
+}
+
+/// Mean step, s, and the drift over a fixed time, kg m²/s.
+fn drift_of_step(run: &str, cfl: f64) -> (f64, f64) {
+    let text = small_cube(&format!("integrator = tvd_rk2  cfl = {cfl}  wave_speed_every = 0  {run}"), "");
+    let scene = scene(&text.replace("until = 1 s", "until = 2 ms"));
+    let mut simulation = simulation(&scene);
+    let before = state(&simulation, &scene).0;
+    while !simulation.step_towards(scene.run.until).expect("the scene of a claim runs") {}
+    let drift = (state(&simulation, &scene).0 - before).norm();
+    (scene.run.until / simulation.steps() as f64, drift)
 }

@@ -1,7 +1,10 @@
 //! Momentum against the impulse of supports and loads.
 
 use crate::monitor::totals;
+use crate::output::Figure;
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::{bounded, history};
 use crate::verify::claims::scene::{scene, simulation, small_cube, step};
 use crate::verify::{Claim, Topic};
 
@@ -38,6 +41,20 @@ pub(super) const SSP_RK3: Claim = Claim {
     ..VERLET
 };
 
+/// What is left of the balance over time.
+pub(super) const FIGURES: [Illustration; 3] = [
+    Illustration { claim: VERLET.claim, figure: || figure("", VERLET.bound) },
+    Illustration { claim: HEUN.claim, figure: || figure("integrator = tvd_rk2", HEUN.bound) },
+    Illustration { claim: SSP_RK3.claim, figure: || figure("integrator = ssp_rk3", SSP_RK3.bound) },
+];
+
+fn figure(run: &str, bound: f64) -> Figure {
+    let lines =
+        [("all impulses", gaps(run, true, 20)), ("less the traction's (control)", gaps(run, false, 20))];
+    let title = "Momentum less impulses of a loaded body";
+    bounded(history(title, "change over scale of momentum", &lines, 1e-18), bound)
+}
+
 /// A support that moves, a traction that grows and a weight.
 const ACTIONS: &str = "pull cube.xmin { displacement = ramp(0 mm -> 0.2 mm, over = 1 ms)  grip = sliding }
   traction cube.ymax { value = [100 Pa * sin(700 s^-1 * t), 200 Pa, 0 Pa] }
@@ -46,6 +63,11 @@ const ACTIONS: &str = "pull cube.xmin { displacement = ramp(0 mm -> 0.2 mm, over
 /// What the momentum changed by beside the impulses, over the scale of the momentum; the wrong variant
 /// leaves out the traction's.
 fn gap(run: &str, all: bool) -> f64 {
+    gaps(run, all, 1).last().map_or(f64::NAN, |sample| sample.1)
+}
+
+/// The same at so many times.
+fn gaps(run: &str, all: bool, samples: u64) -> Vec<(f64, f64)> {
     let more = format!(
         "{ACTIONS}
   record impulses {{ all = impulse(cube).x  top = impulse(cube.ymax).x  every = 1 s }}"
@@ -53,9 +75,13 @@ fn gap(run: &str, all: bool) -> f64 {
     let scene = scene(&small_cube(run, &more));
     let mut simulation = simulation(&scene);
     let before = totals(simulation.bodies(), &scene.symmetry);
-    step(&mut simulation, &scene, STEPS);
-    let after = totals(simulation.bodies(), &scene.symmetry);
-    let impulse = |face: Option<&str>| Vec3::from_fn(|axis, _| simulation.impulses()[0].of(face, axis));
-    let left_out = if all { Vec3::zeros() } else { impulse(Some("ymax")) };
-    (after.momentum - before.momentum - impulse(None) + left_out).norm() / before.momentum_scale
+    let sample = |_| {
+        step(&mut simulation, &scene, STEPS / samples);
+        let after = totals(simulation.bodies(), &scene.symmetry);
+        let impulse = |face: Option<&str>| Vec3::from_fn(|axis, _| simulation.impulses()[0].of(face, axis));
+        let left_out = if all { Vec3::zeros() } else { impulse(Some("ymax")) };
+        let gap = (after.momentum - before.momentum - impulse(None) + left_out).norm();
+        (simulation.time(), gap / before.momentum_scale)
+    };
+    (0..samples).map(sample).collect()
 }

@@ -1,8 +1,11 @@
 //! Energy of a body that nothing holds.
 
 use crate::monitor::totals;
+use crate::output::Figure;
 use crate::solver::Simulation;
-use crate::verify::claims::scene::{scene, simulation, small_cube, spinning_cube, step};
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::{bounded, course, history};
+use crate::verify::claims::scene::{scene, simulation, small_cube, spinning_cube};
 use crate::verify::{Claim, Topic};
 
 /// Dissipation takes energy and never gives any, and the three-stage method damps what it errs by. With
@@ -44,34 +47,88 @@ pub(super) const LOSS_PER_TURN: Claim = Claim {
     control: || loss_of_a_turn("momentum_dissipation = constant"),
 };
 
+/// Energies over time.
+pub(super) const FIGURES: [Illustration; 3] = [
+    Illustration { claim: DISSIPATION.claim, figure: rises },
+    Illustration { claim: LIMITED.claim, figure: courses },
+    Illustration { claim: LOSS_PER_TURN.claim, figure: turns },
+];
+
+/// The largest rise in a step so far.
+fn rises() -> Figure {
+    let rise = |run: &str| {
+        let energies = energies(&small_cube(run, ""), 400);
+        let initial = energies[0].1;
+        let mut largest = 0.0_f64;
+        let rise = |pair: &[(f64, f64)]| {
+            largest = largest.max((pair[1].1 - pair[0].1) / initial);
+            (pair[1].0, largest)
+        };
+        energies.windows(2).map(rise).collect::<Vec<_>>()
+    };
+    let lines = STATES.map(|(label, run)| (label, rise(run)));
+    let title = "A free fibrous cube: largest rise of the energy in a step so far";
+    bounded(history(title, "rise over initial energy", &lines, 1e-18), DISSIPATION.bound)
+}
+
+fn courses() -> Figure {
+    let damped = STATES.iter().take(3);
+    let lines: Vec<_> =
+        damped.map(|(label, run)| (*label, over_first(&energies(&small_cube(run, ""), 400)))).collect();
+    course("A free fibrous cube: energy", "energy over initial energy", &lines)
+}
+
+fn turns() -> Figure {
+    let of = |run: &str| over_first(&energies(&spinning_cube(run, 5.0), u64::MAX));
+    let lines = [
+        ("linear, projected", of("angular_momentum = projected")),
+        ("linear", of("")),
+        ("limited", of("momentum_dissipation = limited")),
+        ("constant (control)", of("momentum_dissipation = constant")),
+    ];
+    course("A spinning cube over five turns: energy", "energy over initial energy", &lines)
+}
+
+/// Interface states by three-stage Runge-Kutta; none by Heun's method, which grows.
+const STATES: [(&str, &str); 4] = [
+    ("constant", "integrator = ssp_rk3  cfl = 0.3  momentum_dissipation = constant"),
+    ("limited", "integrator = ssp_rk3  cfl = 0.3  momentum_dissipation = limited"),
+    ("linear", "integrator = ssp_rk3  cfl = 0.3  momentum_dissipation = linear"),
+    ("none, Heun", "integrator = tvd_rk2  momentum_dissipation = off"),
+];
+
+fn over_first(energies: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    energies.iter().map(|&(time, energy)| (time, energy / energies[0].1)).collect()
+}
+
 /// Largest rise of the total energy in a step, over the initial energy.
 fn largest_rise(run: &str) -> f64 {
-    let scene = scene(&small_cube(run, ""));
-    let mut simulation = simulation(&scene);
-    let energy = |simulation: &Simulation| {
-        let sums = totals(simulation.bodies(), &scene.symmetry);
-        sums.kinetic_energy + sums.strain_energy
-    };
-    let initial = energy(&simulation);
-    let (mut last, mut rise) = (initial, 0.0_f64);
-    for _ in 0..400 {
-        step(&mut simulation, &scene, 1);
-        let now = energy(&simulation);
-        rise = rise.max((now - last) / initial);
-        last = now;
-    }
-    rise
+    let energies = energies(&small_cube(run, ""), 400);
+    let rises = energies.windows(2).map(|pair| (pair[1].1 - pair[0].1) / energies[0].1);
+    rises.fold(0.0, f64::max)
 }
 
 /// Share of the energy lost in the first turn.
 fn loss_of_a_turn(run: &str) -> f64 {
-    let scene = scene(&spinning_cube(run, 1.0));
+    let energies = energies(&spinning_cube(run, 1.0), u64::MAX);
+    1.0 - energies[energies.len() - 1].1 / energies[0].1
+}
+
+/// Time and total energy before the first step and after each, so many or to the end.
+fn energies(text: &str, steps: u64) -> Vec<(f64, f64)> {
+    let scene = scene(text);
     let mut simulation = simulation(&scene);
-    let energy = |simulation: &Simulation| {
+    let sample = |simulation: &Simulation| {
         let sums = totals(simulation.bodies(), &scene.symmetry);
-        sums.kinetic_energy + sums.strain_energy
+        (simulation.time(), sums.kinetic_energy + sums.strain_energy)
     };
-    let initial = energy(&simulation);
-    while !simulation.step_towards(scene.run.until).expect("the cube spins") {}
-    1.0 - energy(&simulation) / initial
+    let mut samples = vec![sample(&simulation)];
+    while simulation.steps() < steps {
+        let reached = simulation.step_towards(scene.run.until).expect("the scene of a claim runs");
+        samples.push(sample(&simulation));
+        if reached {
+            break;
+        }
+    }
+    samples
 }

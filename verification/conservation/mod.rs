@@ -10,7 +10,23 @@ mod energy;
 mod momentum;
 
 /// Figures of these claims.
-pub(crate) const ILLUSTRATIONS: &[Illustration] = &momentum::FIGURES;
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &[
+    momentum::FIGURES[0],
+    momentum::FIGURES[1],
+    momentum::FIGURES[2],
+    momentum::FIGURES[3],
+    balance::FIGURES[0],
+    balance::FIGURES[1],
+    balance::FIGURES[2],
+    angular::FIGURES[0],
+    angular::FIGURES[1],
+    angular::FIGURES[2],
+    angular::FIGURES[3],
+    angular::FIGURES[4],
+    energy::FIGURES[0],
+    energy::FIGURES[1],
+    energy::FIGURES[2],
+];
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

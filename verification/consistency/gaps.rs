@@ -1,6 +1,9 @@
 //! The evolved area and volume maps against the cofactor and the determinant of F.
 
 use crate::monitor::{Involutions, involutions};
+use crate::output::Figure;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::{Lines, orders};
 use crate::verify::claims::scene::{scene, simulation, thrown_cube};
 use crate::verify::{Claim, Topic};
 
@@ -65,6 +68,51 @@ fn gap(cfl: f64, run: &str) -> (u64, Involutions) {
     let mut simulation = simulation(&scene);
     while !simulation.step_towards(scene.run.until).expect("the cube flies") {}
     (simulation.steps(), involutions(simulation.bodies()))
+}
+
+/// Gaps over the step.
+pub(super) const FIGURES: [Illustration; 4] = [
+    Illustration {
+        claim: AREA_MAP_VERLET.claim,
+        figure: || {
+            let lines = [("Heun", gaps(HEUN, |gap| gap.area_map)), ("Verlet", gaps("", |gap| gap.area_map))];
+            figure("H and cof F", &lines, 3.0)
+        },
+    },
+    Illustration {
+        claim: VOLUME_MAP_VERLET.claim,
+        figure: || {
+            let with = "volume_dissipation = on";
+            let lines =
+                [("Verlet", gaps("", |gap| gap.volume_map)), ("with D(J)", gaps(with, |gap| gap.volume_map))];
+            figure("J and det F", &lines, 2.0)
+        },
+    },
+    Illustration {
+        claim: AREA_MAP_HEUN.claim,
+        figure: || figure("H and cof F", &[("Heun", gaps(HEUN, |gap| gap.area_map))], 3.0),
+    },
+    Illustration {
+        claim: VOLUME_MAP_HEUN.claim,
+        figure: || {
+            let with = gaps(HEUN_UPWINDED, |gap| gap.volume_map);
+            figure("J and det F", &[("Heun", gaps(HEUN, |gap| gap.volume_map)), ("with D(J)", with)], 2.0)
+        },
+    },
+];
+
+fn figure(what: &str, lines: &Lines<'_>, order: f64) -> Figure {
+    let title = format!("Largest gap between {what} after 2.5 ms");
+    orders(&title, ("time step", "s"), ("gap", ""), lines, order)
+}
+
+/// Mean step, s, and a gap, at falling Courant numbers.
+fn gaps(run: &str, of: fn(&Involutions) -> f64) -> Vec<(f64, f64)> {
+    let at = |cfl: f64| {
+        let (steps, found) = gap(cfl, run);
+        (UNTIL / steps as f64, of(&found))
+    };
+    [0.4, 0.2, 0.1, 0.05].map(at).to_vec()
 }
 
 /// Observed order of a gap in the time step, between a Courant number and half of it.

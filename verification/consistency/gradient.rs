@@ -5,7 +5,7 @@ use crate::output::Figure;
 use crate::solver::{BodyState, Quad, Simulation};
 use crate::tensor::{Mat3, Vec3};
 use crate::verify::claim::Illustration;
-use crate::verify::claims::picture::history;
+use crate::verify::claims::picture::{bounded, history};
 use crate::verify::claims::scene::{scene, simulation, step, thrown_cube};
 use crate::verify::{Claim, Topic};
 
@@ -61,10 +61,13 @@ pub(super) const ROTATION: Claim = Claim {
 };
 
 /// Involutions over time.
-pub(super) const FIGURES: [Illustration; 1] = [Illustration { claim: VERLET.claim, figure: histories }];
+pub(super) const FIGURES: [Illustration; 2] = [
+    Illustration { claim: VERLET.claim, figure: || histories("") },
+    Illustration { claim: HEUN.claim, figure: || histories("integrator = tvd_rk2") },
+];
 
-fn histories() -> Figure {
-    let scene = scene(&thrown_cube("", ""));
+fn histories(run: &str) -> Figure {
+    let scene = scene(&thrown_cube(run, ""));
     let mut simulation = simulation(&scene);
     let mut rows: Vec<(f64, Involutions)> = Vec::new();
     for _ in 0..STEPS / 10 {
@@ -78,7 +81,8 @@ fn histories() -> Figure {
         ("dx |CURL F|", line(|found| found.curl_f)),
         ("dx |DIV H|", line(|found| found.div_h)),
     ];
-    history("A thrown cube: involutions, largest over particles", "violation", &lines, 1e-18)
+    let title = "A thrown cube: involutions, largest over particles";
+    bounded(history(title, "violation", &lines, 1e-18), VERLET.bound)
 }
 
 fn gap(run: &str) -> f64 {

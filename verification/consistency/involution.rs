@@ -1,10 +1,14 @@
 //! CURL F and DIV H, which the discrete derivatives leave where their stencils change.
 
-use crate::monitor::{curl_and_divergence, involutions};
+use crate::monitor::{Involutions, curl_and_divergence, involutions};
+use crate::output::Figure;
 use crate::solver::Simulation;
+use crate::verify::claim::Illustration;
 use crate::verify::claims::cube::{Case, Cube};
-use crate::verify::claims::scene::{scene, simulation, step, thrown_cube};
+use crate::verify::claims::picture::{bounded, history, orders};
+use crate::verify::claims::scene::{scene, simulation, small_cube, step};
 use crate::verify::{Claim, Topic};
+use std::sync::LazyLock;
 
 const BECAUSE: &str = "differences of one stencil commute, so CURL is zero where stencils are alike and decays away from \
                        the boundary; DIV of a cofactor misses the product rule by the next term of the expansion, \
@@ -64,7 +68,7 @@ pub(super) const ALL_TIMES: Claim = Claim {
               and 1e-12 is what the method asks for",
     bound: 1e-12,
     measure: || {
-        let scene = scene(&thrown_cube("", "").replace("box(6 mm, 6 mm, 6 mm)", "box(3 mm, 3 mm, 3 mm)"));
+        let scene = scene(&small_cube("", ""));
         let mut simulation = simulation(&scene);
         let mut worst = 0.0_f64;
         for _ in 0..12 {
@@ -75,8 +79,7 @@ pub(super) const ALL_TIMES: Claim = Claim {
         worst
     },
     control: || {
-        let text = thrown_cube("", "").replace("box(6 mm, 6 mm, 6 mm)", "box(3 mm, 3 mm, 3 mm)");
-        let scene = scene(&text);
+        let scene = scene(&small_cube("", ""));
         let mut simulation = simulation(&scene);
         step(&mut simulation, &scene, 500);
         // F of another body: of the positions a step later
@@ -103,9 +106,61 @@ fn means(simulation: &Simulation) -> (f64, f64) {
     (curl / volume, divergence / volume)
 }
 
+/// Involutions over the spacing, and over time.
+pub(super) const FIGURES: [Illustration; 5] = [
+    Illustration {
+        claim: CURL_SWINGING.claim,
+        figure: || over_spacings("CURL F", &SWINGING, |means| means.0),
+    },
+    Illustration { claim: DIV_SWINGING.claim, figure: || over_spacings("DIV H", &SWINGING, |means| means.1) },
+    Illustration { claim: CURL_LARGE.claim, figure: || over_spacings("CURL F", &LARGE, |means| means.0) },
+    Illustration { claim: DIV_LARGE.claim, figure: || over_spacings("DIV H", &LARGE, |means| means.1) },
+    Illustration { claim: ALL_TIMES.claim, figure: over_time },
+];
+
+/// The means at spacings whose boundary layer is well outside the inner half.
+fn at_spacings(case: Case) -> Means {
+    [12, 14, 16].map(|cells| (1.0 / f64::from(cells), means(&undamped(case, cells).end())))
+}
+
+/// Spacing, m, and the means of the two.
+type Means = [(f64, (f64, f64)); 3];
+
+static SWINGING: LazyLock<Means> = LazyLock::new(|| at_spacings(Case::Swinging(0.3)));
+static LARGE: LazyLock<Means> = LazyLock::new(|| at_spacings(Case::Fibres));
+
+fn over_spacings(what: &str, means: &Means, of: fn((f64, f64)) -> f64) -> Figure {
+    let points = means.map(|(spacing, means)| (spacing, of(means))).to_vec();
+    let title = format!("{what} in the inner half of the cube at the end of its motion");
+    let label = format!("mean |{what}|");
+    orders(&title, ("spacing", "m"), (&label, "1/m"), &[(what, points)], 2.0)
+}
+
+/// What does not grow over 6000 steps.
+fn over_time() -> Figure {
+    let scene = scene(&small_cube("", ""));
+    let mut simulation = simulation(&scene);
+    let mut rows = Vec::new();
+    for _ in 0..120 {
+        step(&mut simulation, &scene, 50);
+        rows.push((simulation.time(), involutions(simulation.bodies())));
+    }
+    let line = |of: fn(&Involutions) -> f64| rows.iter().map(|(t, found)| (*t, of(found))).collect();
+    let lines = [
+        ("dx |CURL F|", line(|found| found.curl_f)),
+        ("dx |DIV H|", line(|found| found.div_h)),
+        ("|F - Grad x|", line(|found| found.gradient)),
+    ];
+    let title = "A thrown fibrous cube over 6000 steps: largest over particles";
+    bounded(history(title, "violation", &lines, 1e-18), ALL_TIMES.bound)
+}
+
+fn undamped(case: Case, cells: u32) -> Cube {
+    Cube { run: "momentum_dissipation = off", ..Cube::new(case, cells) }
+}
+
 /// How far the observed order between 8 and 16 cells falls short of 2.
 fn shortfall(case: Case, of: fn((f64, f64)) -> f64) -> f64 {
-    let run = "momentum_dissipation = off";
-    let mean = |cells| of(means(&Cube { run, ..Cube::new(case, cells) }.end()));
+    let mean = |cells| of(means(&undamped(case, cells).end()));
     (2.0 - libm::log2(mean(8) / mean(16))).max(0.0)
 }

@@ -1,7 +1,10 @@
 //! The evolved maps and who reads them.
 
 use crate::energy::{Directions, Maps, Scratch};
+use crate::monitor::involutions;
 use crate::tensor::{Mat3, cofactor, cross, volume_map};
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::history;
 use crate::verify::claims::scene::{scene, simulation, spinning_cube, step};
 use crate::verify::{Claim, Topic};
 
@@ -28,6 +31,27 @@ pub(super) const RESTORED_J: Claim = Claim {
     measure: || drift("restoring"),
     control: || drift("on"),
 };
+
+/// The gap over time.
+pub(super) const FIGURES: [Illustration; 1] = [Illustration {
+    claim: RESTORED_J.claim,
+    figure: || {
+        let gap = |dissipation: &str| {
+            let run = format!(
+                "formulation = pFJ  angular_momentum = projected  volume_dissipation = {dissipation}"
+            );
+            let scene = scene(&spinning_cube(&run, 3.0));
+            let mut simulation = simulation(&scene);
+            let mut points = Vec::new();
+            while !simulation.step_towards(scene.run.until).expect("the cube spins") {
+                points.push((simulation.time(), involutions(simulation.bodies()).volume_map));
+            }
+            points
+        };
+        let lines = [("restoring", gap("restoring")), ("as printed", gap("on"))];
+        history("A spinning cube with D(J): largest |J - det F|", "gap", &lines, 1e-4)
+    },
+}];
 
 /// Largest gap, over the largest D(J) times the relaxation time.
 fn drift(dissipation: &str) -> f64 {

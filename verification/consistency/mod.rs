@@ -14,7 +14,20 @@ mod pressure;
 mod traction;
 
 /// Figures of these claims.
-pub(crate) const ILLUSTRATIONS: &[Illustration] = &gradient::FIGURES;
+pub(crate) const ILLUSTRATIONS: &[Illustration] = &[
+    gradient::FIGURES[0],
+    gradient::FIGURES[1],
+    maps::FIGURES[0],
+    gaps::FIGURES[0],
+    gaps::FIGURES[1],
+    gaps::FIGURES[2],
+    gaps::FIGURES[3],
+    involution::FIGURES[0],
+    involution::FIGURES[1],
+    involution::FIGURES[2],
+    involution::FIGURES[3],
+    involution::FIGURES[4],
+];
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

@@ -1,6 +1,9 @@
 //! The order of each integrator in the time step, on a fixed lattice.
 
+use crate::output::Figure;
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::{orders, slope};
 use crate::verify::claims::scene::{scene, simulation};
 use crate::verify::{Claim, Topic};
 
@@ -12,16 +15,16 @@ pub(super) const TVD_RK2: Claim = Claim {
     because: "at the steps used the fastest mode turns by omega dt = 0.1 to 0.2 a step, and the next term of the \
               expansion shifts the measured order by some half of it; a method of another order lies one off",
     bound: 0.09,
-    measure: || off("integrator = tvd_rk2  formulation = pFHJ", 2.0),
-    control: || off("integrator = ssp_rk3  formulation = pFHJ", 2.0),
+    measure: || off(HEUN_DAMPED, 2.0),
+    control: || off(RK3_DAMPED, 2.0),
 };
 
 /// The same for the method of third order.
 pub(super) const SSP_RK3: Claim = Claim {
     claim: "three-stage Runge-Kutta is of third order in the time step, all fields evolved, with dissipation",
     source: "Shu & Osher 1988",
-    measure: || off("integrator = ssp_rk3  formulation = pFHJ", 3.0),
-    control: || off("integrator = tvd_rk2  formulation = pFHJ", 3.0),
+    measure: || off(RK3_DAMPED, 3.0),
+    control: || off(HEUN_DAMPED, 3.0),
     ..TVD_RK2
 };
 
@@ -32,8 +35,8 @@ pub(super) const VERLET: Claim = Claim {
     because: "the method is symmetric in time, so only even powers follow: (omega dt)^2 = 0.04 at the steps used, \
               and as much again for what the fine step errs by",
     bound: 0.08,
-    measure: || off("momentum_dissipation = off  formulation = pFHJ", 2.0),
-    control: || off("momentum_dissipation = linear  formulation = pFHJ", 2.0),
+    measure: || off(VERLET_FREE, 2.0),
+    control: || off(VERLET_DAMPED, 2.0),
     ..TVD_RK2
 };
 
@@ -44,15 +47,56 @@ const EXACT: f64 = 0.005;
 
 /// How far the measured order is from the one expected.
 fn off(run: &str, order: f64) -> f64 {
-    let (exact, _) = end(run, EXACT);
-    let error = |cfl: f64| {
-        let (state, steps) = end(run, cfl);
-        let squares = state.iter().zip(&exact).map(|(a, b)| (a - b).norm_squared());
-        (libm::sqrt(squares.sum()), steps)
-    };
-    let ((coarse, few), (fine, many)) = (error(COARSE), error(FINE));
-    (libm::log(coarse / fine) / libm::log(many / few) - order).abs()
+    let errors: Vec<_> = errors(run, &[COARSE, FINE])
+        .iter()
+        .map(|&(step, error)| (libm::log(step), libm::log(error)))
+        .collect();
+    (slope(&errors) - order).abs()
 }
+
+/// Mean step, s, and distance from the end of a very small step, at some Courant numbers.
+fn errors(run: &str, courant_numbers: &[f64]) -> Vec<(f64, f64)> {
+    let (exact, _) = end(run, EXACT);
+    let error = |cfl: &f64| {
+        let (state, steps) = end(run, *cfl);
+        let squares = state.iter().zip(&exact).map(|(a, b)| (a - b).norm_squared());
+        (UNTIL / steps, libm::sqrt(squares.sum()))
+    };
+    courant_numbers.iter().map(error).collect()
+}
+
+/// Errors over the step.
+pub(super) const FIGURES: [Illustration; 3] = [
+    Illustration {
+        claim: TVD_RK2.claim,
+        figure: || figure(&[("Heun, with D(p)", HEUN_DAMPED), ("SSP-RK3, with D(p)", RK3_DAMPED)], 2.0),
+    },
+    Illustration {
+        claim: SSP_RK3.claim,
+        figure: || figure(&[("SSP-RK3, with D(p)", RK3_DAMPED), ("Heun, with D(p)", HEUN_DAMPED)], 3.0),
+    },
+    Illustration {
+        claim: VERLET.claim,
+        figure: || {
+            figure(&[("Verlet, without D(p)", VERLET_FREE), ("Verlet, with D(p)", VERLET_DAMPED)], 2.0)
+        },
+    },
+];
+
+fn figure(runs: &[(&'static str, &str)], order: f64) -> Figure {
+    let lines: Vec<_> =
+        runs.iter().map(|&(label, run)| (label, errors(run, &[0.2, COARSE, FINE, 0.025]))).collect();
+    let title = "Error of positions and velocities after 8 ms";
+    orders(title, ("time step", "s"), ("error", "m"), &lines, order)
+}
+
+const HEUN_DAMPED: &str = "integrator = tvd_rk2  formulation = pFHJ";
+const RK3_DAMPED: &str = "integrator = ssp_rk3  formulation = pFHJ";
+const VERLET_FREE: &str = "momentum_dissipation = off  formulation = pFHJ";
+const VERLET_DAMPED: &str = "momentum_dissipation = linear  formulation = pFHJ";
+
+/// End of the runs, s.
+const UNTIL: f64 = 8e-3;
 
 /// Positions and velocities at the end, both in the units of a wave across the body, and the steps taken.
 fn end(run: &str, cfl: f64) -> (Vec<Vec3>, f64) {
@@ -65,7 +109,7 @@ scene spin {{
   start cube {{
     velocity = [40 s^-1 * (Z - Y) + 10 s^-1 * X, 30 s^-1 * (X - Z), 50 s^-1 * (Y - X) - 5 s^-1 * Y]
   }}
-  run {{ until = 8 ms  {run}  cfl = {cfl}  wave_speed_every = 0 }}
+  run {{ until = {UNTIL} s  {run}  cfl = {cfl}  wave_speed_every = 0 }}
 }}
 "
     );

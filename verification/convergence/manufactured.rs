@@ -11,10 +11,17 @@ fn undamped(case: Case) -> impl Fn(u32) -> Cube {
     move |cells| Cube { run: "momentum_dissipation = off", ..Cube::new(case, cells) }
 }
 
-static QUICK: LazyLock<Orders> = LazyLock::new(|| orders(&[6, 8, 12], undamped(Case::MovedFibres)));
+pub(super) static QUICK: LazyLock<Orders> =
+    LazyLock::new(|| orders(&[6, 8, 12], undamped(Case::MovedFibres)));
 
-static FULL: LazyLock<[Orders; 2]> = LazyLock::new(|| {
+pub(super) static FULL: LazyLock<[Orders; 2]> = LazyLock::new(|| {
     [Case::MovedNeoHooke, Case::MovedFibres].map(|case| orders(&[8, 12, 16, 24], undamped(case)))
+});
+
+/// The paper's choices, on the same solids.
+pub(super) static SEED: LazyLock<[Orders; 2]> = LazyLock::new(|| {
+    [Case::MovedNeoHooke, Case::MovedFibres]
+        .map(|case| orders(&[6, 8, 12], |cells| Cube { run: "scheme = seed", ..Cube::new(case, cells) }))
 });
 
 /// The lesser of two orders.

@@ -2,11 +2,14 @@
 
 use super::Claim;
 
+mod figures;
 mod integrators;
 mod manufactured;
 mod orders;
 mod residual;
 mod swinging;
+
+pub(crate) use figures::ILLUSTRATIONS;
 
 /// The claims of this directory, in the order of the report.
 pub(crate) const CLAIMS: &[Claim] = &[

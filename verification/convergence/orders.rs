@@ -1,15 +1,18 @@
 //! Observed orders: the slope of the errors over the spacings, by least squares in logarithms.
 
-use crate::monitor::FieldErrors;
+use crate::monitor::{FieldErrors, MotionErrors};
 use crate::verify::claims::cube::{Case, Cube};
+use crate::verify::claims::picture::slope;
 
 /// Orders of the errors at the end of a cube's motion.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Orders {
     /// Of root mean squares.
     pub(super) rms: FieldErrors,
     /// Of means.
     pub(super) mean: FieldErrors,
+    /// The errors themselves, by cells along an edge.
+    pub(super) errors: Vec<(f64, MotionErrors)>,
 }
 
 /// Orders over a list of cells along an edge.
@@ -17,7 +20,7 @@ pub(super) fn orders(cells: &[u32], cube: impl Fn(u32) -> Cube) -> Orders {
     let errors: Vec<_> = cells.iter().map(|&cells| (f64::from(cells), cube(cells).errors())).collect();
     let rms: Vec<(f64, FieldErrors)> = errors.iter().map(|(n, errors)| (*n, errors.rms)).collect();
     let mean: Vec<(f64, FieldErrors)> = errors.iter().map(|(n, errors)| (*n, errors.mean)).collect();
-    Orders { rms: slopes(&rms), mean: slopes(&mean) }
+    Orders { rms: slopes(&rms), mean: slopes(&mean), errors }
 }
 
 /// The slope of every field's error.
@@ -35,17 +38,6 @@ fn slopes(errors: &[(f64, FieldErrors)]) -> FieldErrors {
         volume_map: of(|errors| errors.volume_map),
         stress: of(|errors| errors.stress),
     }
-}
-
-/// Least-squares slope of some points.
-fn slope(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
-    let (above, below) = points.iter().fold((0.0, 0.0), |(above, below), point| {
-        let d = point.0 - x;
-        (above + d * (point.1 - y), below + d * d)
-    });
-    above / below
 }
 
 /// By how much an order falls short of a tenth above what is claimed: the bound of such a claim is that

@@ -6,13 +6,13 @@ use crate::verify::claims::cube::{Case, Cube};
 use std::sync::LazyLock;
 
 /// Three coarse spacings, within a second.
-static QUICK: LazyLock<Orders> = LazyLock::new(|| orders(&[6, 9, 12], swinging(0.3)));
+pub(super) static QUICK: LazyLock<Orders> = LazyLock::new(|| orders(&[6, 9, 12], swinging(0.3)));
 
 /// The wrong variant, of another motion.
 pub(super) static UNFORCED: LazyLock<Orders> = LazyLock::new(|| orders(&[4, 8], unforced));
 
 /// Four spacings at three ratios of Poisson, least orders first found.
-static FULL: LazyLock<[Orders; 3]> =
+pub(super) static FULL: LazyLock<[Orders; 3]> =
     LazyLock::new(|| [0.3, 0.45, 0.495].map(|ratio| orders(&[8, 12, 16, 24], swinging(ratio))));
 
 const SOURCE: &str = "linear elastodynamics, amplitude 5e-4 of the edge, at 0.62 of a swing";
@@ -74,12 +74,12 @@ order_claim!(
 );
 
 /// Four spacings with inner particles displaced by a fifth of the spacing, dissipation as by default.
-static JITTERED: LazyLock<Orders> = LazyLock::new(|| {
+pub(super) static JITTERED: LazyLock<Orders> = LazyLock::new(|| {
     orders(&[8, 12, 16, 24], |cells| Cube { jitter: 0.2, ..Cube::new(Case::Swinging(0.3), cells) })
 });
 
 /// The paper's choices: first-order interface states, areas wrong near the boundary.
-static SEED: LazyLock<Orders> = LazyLock::new(|| {
+pub(super) static SEED: LazyLock<Orders> = LazyLock::new(|| {
     orders(&[8, 12, 16], |cells| Cube { run: "scheme = seed", ..Cube::new(Case::Swinging(0.3), cells) })
 });
 

@@ -62,7 +62,7 @@ fn figure(title: &str, jitter: f64, which: fn(&Vec3) -> bool, order: f64) -> Fig
             .to_vec()
     };
     let lines = [("corrected", errors(Rule::Corrected)), ("not corrected", errors(Rule::Uncorrected))];
-    orders(title, ("spacing", "m"), &lines, order)
+    orders(title, ("spacing", "m"), ("error of the gradient", "1/m"), &lines, order)
 }
 
 /// With which gradients.

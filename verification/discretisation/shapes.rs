@@ -2,6 +2,8 @@
 
 use crate::discretisation::{Consistency, Kernel, Particles, Shape, Stencils};
 use crate::tensor::Vec3;
+use crate::verify::claim::Illustration;
+use crate::verify::claims::picture::orders;
 use crate::verify::{Claim, Topic};
 
 use super::equilibrium::imbalance;
@@ -44,14 +46,26 @@ pub(crate) const AFFINE_MAP: Claim = Claim {
     },
 };
 
+/// Errors of the volume over the spacing.
+pub(super) const FIGURE: Illustration = Illustration {
+    claim: VOLUME.claim,
+    figure: || {
+        let errors =
+            |factor: f64| [0.2, 0.1, 0.05].map(|spacing| (spacing, volume_error(spacing, factor))).to_vec();
+        let lines = [("exact", errors(1.0)), ("2 % more (control)", errors(1.02))];
+        orders("Volume of a cylinder", ("spacing", "m"), ("error of the volume", ""), &lines, 2.0)
+    },
+};
+
 /// Observed order of the error against `factor` times the exact volume, radius 1 m, 0.2 and 0.1 m.
 fn volume_order(factor: f64) -> f64 {
+    libm::log2(volume_error(0.2, factor) / volume_error(0.1, factor))
+}
+
+fn volume_error(spacing: f64, factor: f64) -> f64 {
     let shape = Shape::Cylinder { centre: Vec3::zeros(), axis: 2, radius: 1.0, height: 1.0 };
-    let error = |spacing: f64| {
-        let volume: f64 = lattice(&shape, spacing, [None; 3]).volume.iter().sum();
-        (volume - factor * std::f64::consts::PI).abs()
-    };
-    libm::log2(error(0.2) / error(0.1))
+    let volume: f64 = lattice(&shape, spacing, [None; 3]).volume.iter().sum();
+    (volume - factor * std::f64::consts::PI).abs()
 }
 
 /// Largest value of a measure over the bodies; lengths are scaled to 1 m or so.

@@ -139,7 +139,13 @@ pub(crate) const ORDER_FIGURE: Illustration = Illustration {
         let errors =
             |scale: f64| [8e-4, 4e-4, 2e-4, 1e-4].map(|step| (step, difference_error(scale, step))).to_vec();
         let lines = [("derived stress", errors(1.0)), ("wrong by 1e-4", errors(1.0 + 1e-4))];
-        orders("Differences of the energy against the stress", ("step", ""), &lines, 2.0)
+        orders(
+            "Differences of the energy against the stress",
+            ("step", ""),
+            ("error of the stress", ""),
+            &lines,
+            2.0,
+        )
     },
 };
 
