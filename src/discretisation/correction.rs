@@ -13,11 +13,8 @@
 //! sums include `b = a`: the gradient of the corrected kernel does not vanish at its own centre.
 
 use super::kernel::Kernel;
+use super::moments::inverse;
 use crate::tensor::{Mat3, Vec3};
-
-/// Moment matrices whose condition number exceeds this are taken as singular: gradients would lose nine
-/// of their sixteen digits.
-const WORST_CONDITION: f64 = 1e9;
 
 /// Corrected gradients `V_a G_b(X_a)` of one row, see the module.
 ///
@@ -58,11 +55,4 @@ pub(super) fn row(
         *entry = correction * *entry;
     }
     Some(entries)
-}
-
-/// Inverse of a moment matrix, or `None` if it is singular for all practical purposes.
-pub(super) fn inverse(moment: &Mat3) -> Option<Mat3> {
-    let inverse = moment.try_inverse()?;
-    let condition = moment.norm() * inverse.norm();
-    (condition.is_finite() && condition < WORST_CONDITION).then_some(inverse)
 }

@@ -112,6 +112,15 @@ pub enum DiscretisationError {
         /// How many neighbours it has, itself included.
         neighbours: usize,
     },
+    /// The neighbours of a particle do not tell quadratic fields apart.
+    SingularQuadratics {
+        /// Index of the particle.
+        particle: usize,
+        /// Its reference position, m.
+        position: Vec3,
+        /// How many neighbours it has, itself included.
+        neighbours: usize,
+    },
     /// The integration constraint was not met.
     ConstraintNotMet {
         /// Particle with the largest leftover.
@@ -195,6 +204,13 @@ impl fmt::Display for DiscretisationError {
                 f,
                 "particle {particle}, X = ({:.4e}, {:.4e}, {:.4e}) m, has {neighbours} neighbours, which do not \
                  span space: a greater h/dx or a finer spacing is required",
+                x.x, x.y, x.z
+            ),
+            Self::SingularQuadratics { particle, position: x, neighbours } => write!(
+                f,
+                "particle {particle}, X = ({:.4e}, {:.4e}, {:.4e}) m, has {neighbours} neighbours, which do not tell \
+                 quadratic fields apart: `completeness = quadratic` needs three layers of particles across the \
+                 body, so write a finer spacing, a greater smoothing or `completeness = linear`",
                 x.x, x.y, x.z
             ),
             Self::ConstraintNotMet { particle, position: x, leftover, iterations } => write!(

@@ -44,9 +44,10 @@
 //! `Σ_a X_a ⊗ A_a N_a = Σ_a V_a I = Σ_b Σ_a X_a ⊗ C_ba`. So a solution exists exactly if areas and volumes
 //! come from one background grid.
 
-use super::correction::inverse;
+use super::conjugate;
 use super::error::DiscretisationError;
 use super::kernel::Kernel;
+use super::moments::{Basis, LINEAR, inverse};
 use super::neighbour::Neighbours;
 use super::particles::Particles;
 use crate::tensor::{Mat3, Vec3};
@@ -63,10 +64,6 @@ const MOST_RUNS: usize = 8;
 /// Iterations after which a run of conjugate gradients ends; the condition number grows with the fourth
 /// power of the number of particles along an edge, the count of iterations with its square.
 const MOST_ITERATIONS: usize = 20_000;
-
-/// Particles whose partial sums are added before those of the next ones: a fixed order on any number of
-/// threads.
-const CHUNK: usize = 1024;
 
 /// Corrects `forward`, the entries `V_a G_b(X_a)`, so that the integration constraint holds. Returns the
 /// iterations of conjugate gradients spent.
@@ -102,7 +99,7 @@ pub(super) fn impose(
             let position = particles.position[particle];
             return Err(DiscretisationError::ConstraintNotMet { particle, position, leftover, iterations });
         }
-        let (phi, spent) = system.solve(residual, 0.5 * TOLERANCE * scale);
+        let (phi, spent) = conjugate::solve(&system, residual, 0.5 * TOLERANCE * scale, MOST_ITERATIONS);
         iterations += spent;
         system.correct(&phi, forward);
     }
@@ -122,7 +119,7 @@ struct System<'a> {
     /// Inverse of the diagonal of `K`, m⁻³.
     preconditioner: Vec<f64>,
     /// Orthonormal basis of the linear functions on the particles.
-    linear: [Vec<f64>; 4],
+    linear: Vec<Vec<f64>>,
 }
 
 impl<'a> System<'a> {
@@ -179,7 +176,7 @@ impl<'a> System<'a> {
             1.0 / diagonal
         };
         let preconditioner = (0..position.len()).into_par_iter().map(diagonal).collect();
-        let linear = linear_functions(position);
+        let linear = Basis { inverse_length: 1.0 }.orthonormal::<LINEAR>(position);
         Ok(Self { list, position, weight, arm, inverse_moment, preconditioner, linear })
     }
 
@@ -193,23 +190,6 @@ impl<'a> System<'a> {
             sum * self.inverse_moment[a]
         };
         (0..phi.len()).into_par_iter().map(gradient).collect()
-    }
-
-    /// `K φ`.
-    fn apply(&self, phi: &[Vec3]) -> Vec<Vec3> {
-        let g = self.gradients(phi);
-        let row = |a: usize| {
-            let range = self.list.range(a);
-            let entries = self.list.neighbour[range.clone()].iter();
-            entries.zip(&self.arm[range.clone()]).zip(&self.weight[range]).fold(
-                Vec3::zeros(),
-                |sum, ((&b, arm), w)| {
-                    let b = b as usize;
-                    sum + ((g[a] + g[b]) * arm - (2.0 * w) * (phi[b] - phi[a]))
-                },
-            )
-        };
-        (0..phi.len()).into_par_iter().map(row).collect()
     }
 
     /// Adds `δ_ab` of a solution to the entries of every row.
@@ -232,85 +212,30 @@ impl<'a> System<'a> {
             forward[own] -= sum;
         }
     }
-
-    /// Solves `K φ = residual` by preconditioned conjugate gradients, each component with its own step, and
-    /// returns `φ` and the iterations spent. Ends where the norm of each component is at most `tolerance`.
-    fn solve(&self, mut residual: Vec<Vec3>, tolerance: f64) -> (Vec<Vec3>, usize) {
-        self.remove_linear(&mut residual);
-        let mut phi = vec![Vec3::zeros(); residual.len()];
-        let precondition =
-            |r: &[Vec3]| -> Vec<Vec3> { r.iter().zip(&self.preconditioner).map(|(r, &m)| r * m).collect() };
-        let small = tolerance * tolerance;
-        let mut z = precondition(&residual);
-        let mut direction = z.clone();
-        let mut rho = inner(&residual, &z);
-        for iteration in 0..MOST_ITERATIONS {
-            let norm = inner(&residual, &residual);
-            if (0..3).all(|i| norm[i] <= small) {
-                return (phi, iteration);
-            }
-            let image = self.apply(&direction);
-            let curvature = inner(&direction, &image);
-            // a component that is done has neither residual nor curvature left
-            let step = Vec3::from_fn(|i, _| if norm[i] <= small { 0.0 } else { rho[i] / curvature[i] });
-            for a in 0..phi.len() {
-                phi[a] += step.component_mul(&direction[a]);
-                residual[a] -= step.component_mul(&image[a]);
-            }
-            self.remove_linear(&mut residual);
-            z = precondition(&residual);
-            let next = inner(&residual, &z);
-            let turn = Vec3::from_fn(|i, _| if rho[i] == 0.0 { 0.0 } else { next[i] / rho[i] });
-            rho = next;
-            for (d, z) in direction.iter_mut().zip(&z) {
-                *d = z + turn.component_mul(d);
-            }
-        }
-        (phi, MOST_ITERATIONS)
-    }
-
-    /// Removes the linear part, which rounding brings in and `K` cannot see.
-    fn remove_linear(&self, field: &mut [Vec3]) {
-        for basis in &self.linear {
-            let sum = chunked(field.len(), |a| field[a] * basis[a]);
-            for (x, &b) in field.iter_mut().zip(basis) {
-                *x -= b * sum;
-            }
-        }
-    }
 }
 
-/// Orthonormal basis of constants and coordinates, by Gram–Schmidt done twice.
-fn linear_functions(position: &[Vec3]) -> [Vec<f64>; 4] {
-    let mut basis: [Vec<f64>; 4] = std::array::from_fn(|i| match i {
-        0 => vec![1.0; position.len()],
-        _ => position.iter().map(|x| x[i - 1]).collect(),
-    });
-    for i in 0..4 {
-        let (done, rest) = basis.split_at_mut(i);
-        let current = &mut rest[0];
-        for _ in 0..2 {
-            for other in done.iter() {
-                let overlap: f64 = current.iter().zip(other).map(|(x, y)| x * y).sum();
-                current.iter_mut().zip(other).for_each(|(x, y)| *x -= overlap * y);
-            }
-            let norm = current.iter().map(|x| x * x).sum::<f64>().sqrt();
-            current.iter_mut().for_each(|x| *x /= norm);
-        }
+impl conjugate::System for System<'_> {
+    fn apply(&self, phi: &[Vec3]) -> Vec<Vec3> {
+        let g = self.gradients(phi);
+        let row = |a: usize| {
+            let range = self.list.range(a);
+            let entries = self.list.neighbour[range.clone()].iter();
+            entries.zip(&self.arm[range.clone()]).zip(&self.weight[range]).fold(
+                Vec3::zeros(),
+                |sum, ((&b, arm), w)| {
+                    let b = b as usize;
+                    sum + ((g[a] + g[b]) * arm - (2.0 * w) * (phi[b] - phi[a]))
+                },
+            )
+        };
+        (0..phi.len()).into_par_iter().map(row).collect()
     }
-    basis
-}
 
-/// Component-wise inner products of two fields.
-fn inner(x: &[Vec3], y: &[Vec3]) -> Vec3 {
-    chunked(x.len(), |a| x[a].component_mul(&y[a]))
-}
+    fn precondition(&self, residual: &[Vec3]) -> Vec<Vec3> {
+        residual.iter().zip(&self.preconditioner).map(|(r, &m)| r * m).collect()
+    }
 
-/// Sum over particles, in chunks of a fixed size.
-fn chunked(len: usize, term: impl Fn(usize) -> Vec3 + Sync) -> Vec3 {
-    let partial = |chunk: usize| {
-        (chunk * CHUNK..((chunk + 1) * CHUNK).min(len)).fold(Vec3::zeros(), |sum, a| sum + term(a))
-    };
-    let partial: Vec<Vec3> = (0..len.div_ceil(CHUNK)).into_par_iter().map(partial).collect();
-    partial.iter().sum()
+    fn null(&self) -> &[Vec<f64>] {
+        &self.linear
+    }
 }

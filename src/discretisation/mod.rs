@@ -3,7 +3,10 @@
 //! Owns everything that is computed once from the reference configuration. Knows neither materials
 //! nor momentum nor time.
 
+mod balance;
+mod coarse;
 mod conform;
+mod conjugate;
 mod correction;
 mod error;
 mod grid;
@@ -11,12 +14,14 @@ mod integration;
 mod kernel;
 mod lattice;
 mod mesh;
+mod moments;
 mod neighbour;
 mod outline;
 mod particles;
 mod planar;
 mod points;
 mod prism;
+mod quadratic;
 mod relation;
 mod shape;
 mod silhouette;

@@ -9,6 +9,7 @@ use super::integration;
 use super::kernel::Kernel;
 use super::neighbour::Neighbours;
 use super::particles::Particles;
+use super::quadratic;
 use crate::tensor::Vec3;
 use rayon::prelude::*;
 
@@ -19,6 +20,8 @@ pub enum Consistency {
     Kernel,
     /// `Σ_b V_b G_a(X_b) = A_a N_a` as well, the integration constraint.
     Integration,
+    /// The integration constraint and exactness for quadratic fields.
+    Quadratic,
 }
 
 /// Neighbours and corrected gradients of every particle, in compressed rows.
@@ -74,7 +77,7 @@ impl Stencils {
         if !(smoothing > 0.0 && smoothing < 10.0) {
             return Err(DiscretisationError::BadSmoothing { smoothing });
         }
-        if consistency == Consistency::Integration && particles.cells.is_empty() {
+        if consistency != Consistency::Kernel && particles.cells.is_empty() {
             return Err(DiscretisationError::NoAreas);
         }
         let (position, volume) = (&particles.position, &particles.volume);
@@ -92,9 +95,13 @@ impl Stencils {
             })?);
         }
         let reverse = list.reverse();
-        if consistency == Consistency::Integration {
-            integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?;
-        }
+        match consistency {
+            Consistency::Kernel => 0,
+            Consistency::Integration => {
+                integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?
+            }
+            Consistency::Quadratic => quadratic::impose(particles, kernel, h, &list, &reverse, &mut forward)?,
+        };
         let backward = reverse.iter().map(|&entry| forward[entry as usize]).collect();
         Ok(Self { start: list.start, neighbour: list.neighbour, forward, backward })
     }

@@ -40,7 +40,7 @@ pub struct MotionErrors {
 }
 
 impl FieldErrors {
-    fn map2(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+    pub(crate) fn map2(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             position: of(self.position, other.position),
             velocity: of(self.velocity, other.velocity),

@@ -74,7 +74,9 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         .into(),
     );
     add("smoothing", run.smoothing.to_string());
-    add("integration_consistency", on_off(run.consistency == Consistency::Integration));
+    add("integration_consistency", on_off(run.consistency != Consistency::Kernel));
+    let quadratic = run.consistency == Consistency::Quadratic;
+    add("completeness", if quadratic { "quadratic" } else { "linear" }.into());
     add(
         "momentum_dissipation",
         match run.momentum_dissipation {

@@ -15,7 +15,7 @@ use super::loads::{ExternalForces, evaluate};
 use super::pass::{Workspaces, gradients_of_positions};
 use super::quad::{Columns, Quad};
 use super::time_step::elastic_length;
-use crate::discretisation::{Particles, Stencils};
+use crate::discretisation::{Consistency, Particles, Stencils};
 use crate::energy::{Law, MotionState};
 use crate::plan::{Field, Pass, Plan};
 use crate::scene::{Body, Integrator, Material, Scene};
@@ -37,11 +37,15 @@ pub struct Assembled {
 pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, SolveError> {
     let body = &scene.bodies[index];
     let material = &scene.materials[body.material];
-    let particles = discretise(scene, body)?;
+    let mut particles = discretise(scene, body)?;
+    let quadratic = scene.run.consistency == Consistency::Quadratic;
+    if quadratic {
+        particles.balance_second_moments();
+    }
     let law = compile(material)?;
     let stencils = Stencils::build(&particles, scene.run.kernel, scene.run.smoothing, scene.run.consistency)
         .map_err(|cause| SolveError::Discretisation { body: body.name.clone(), cause })?;
-    let links = Links::new(&particles, &stencils);
+    let links = Links::new(&particles, &stencils, !quadratic);
     let count = particles.position.len();
     let mut scratch = Vec::new();
     let directions = directions(material, body, plan, &particles, &mut scratch)?;

@@ -36,7 +36,11 @@ pub struct Links {
 
 impl Links {
     /// Reads the pairs of a body from its stencils.
-    pub fn new(particles: &Particles, stencils: &Stencils) -> Self {
+    ///
+    /// Gradients exact for quadratic fields give some pairs, mostly distant ones, an interface area below zero,
+    /// and upwinding would feed what it should damp: unless `signed`, as the paper has it, areas are
+    /// taken positive.
+    pub fn new(particles: &Particles, stencils: &Stencils, signed: bool) -> Self {
         let count = particles.position.len();
         let mut links = Self {
             start: Vec::with_capacity(count + 1),
@@ -53,12 +57,13 @@ impl Links {
                 }
                 let distance = particles.position[b] - particles.position[a];
                 let (forward, backward) = (stencils.forward[entry], stencils.backward[entry]);
+                let interface = distance.dot(&(forward - backward)) / distance.norm();
                 links.neighbour.push(b as u32);
                 links.forward.push(forward.into());
                 links.pair.push(Pair {
                     backward: backward.into(),
                     half_step: (0.5 * distance).into(),
-                    dissipation: distance.dot(&(forward - backward)) / distance.norm(),
+                    dissipation: if signed { interface } else { interface.abs() },
                 });
             }
             links.start.push(links.neighbour.len() as u32);

@@ -33,7 +33,7 @@ macro_rules! figure {
 pub(crate) const ILLUSTRATIONS: &[Illustration] = &[
     figure!(swinging::POSITION, COARSE, rms.position, 1.9),
     figure!(swinging::VELOCITY, COARSE, rms.velocity, 1.9),
-    figure!(swinging::STRESS, COARSE, rms.stress, 1.8),
+    figure!(swinging::STRESS, COARSE, mean.stress, 1.8),
     figure!(swinging::VOLUME, COARSE, mean.volume_map, 1.8),
     figure!(manufactured::POSITION, MOVED_FIBRES, rms.position, 1.8),
     figure!(manufactured::STRESS, MOVED_FIBRES, mean.stress, 1.8),
@@ -42,20 +42,31 @@ pub(crate) const ILLUSTRATIONS: &[Illustration] = &[
     integrators::FIGURES[2],
     figure!(swinging::POSITION_FULL, RATIOS, rms.position, 1.9),
     figure!(swinging::VELOCITY_FULL, RATIOS, rms.velocity, 1.9),
-    figure!(swinging::STRESS_FULL, RATIOS, rms.stress, 1.8),
-    figure!(swinging::VOLUME_FULL, RATIOS, mean.volume_map, 1.7),
+    figure!(swinging::STRESS_FULL, RATIOS, mean.stress, 1.8),
+    figure!(swinging::VOLUME_FULL, RATIOS, mean.volume_map, 1.8),
+    figure!(swinging::POSITION_LINEAR, LINEAR, rms.position, 1.8),
+    figure!(swinging::VELOCITY_LINEAR, LINEAR, rms.velocity, 1.9),
     figure!(swinging::POSITION_JITTERED, JITTERED, rms.position, 1.9),
-    figure!(swinging::STRESS_JITTERED, JITTERED, rms.stress, 1.1),
+    figure!(swinging::VELOCITY_JITTERED, JITTERED, rms.velocity, 1.9),
+    figure!(swinging::STRESS_JITTERED, JITTERED, rms.stress, 1.0),
     figure!(manufactured::POSITION_FULL, MOVED, rms.position, 1.8),
     figure!(manufactured::VELOCITY_FULL, MOVED, rms.velocity, 1.7),
     figure!(manufactured::STRESS_FULL, MOVED, mean.stress, 1.8),
     figure!(manufactured::VOLUME_FULL, MOVED, mean.volume_map, 1.8),
 ];
 
-const COARSE: Families = || vec![("improved", &swinging::QUICK), ("seed", &swinging::SEED)];
+const COARSE: Families = || vec![("improved, quadratic", &swinging::QUICK), ("seed", &swinging::SEED)];
+
+const LINEAR: Families = || {
+    vec![
+        ("improved, quadratic", &swinging::FULL[0]),
+        ("improved, linear", &swinging::LINEAR),
+        ("seed", &swinging::SEED),
+    ]
+};
 
 const JITTERED: Families =
-    || vec![("improved, jitter 0.2", &swinging::JITTERED), ("seed, no jitter", &swinging::SEED)];
+    || vec![("quadratic, jitter 0.2", &swinging::JITTERED), ("seed, no jitter", &swinging::SEED)];
 
 const RATIOS: Families = || {
     let [compressible, between, stiff] = &*swinging::FULL;

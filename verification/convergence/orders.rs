@@ -66,11 +66,6 @@ macro_rules! order_claim {
 }
 pub(super) use order_claim;
 
-/// The swinging cube of a Poisson's ratio, with no dissipation: the wave is smooth and starts undeformed.
-pub(super) fn swinging(ratio: f64) -> impl Fn(u32) -> Cube {
-    move |cells| Cube { run: "momentum_dissipation = off", ..Cube::new(Case::Swinging(ratio), cells) }
-}
-
 /// The wrong variant of every case: the body force its large motion needs is left out.
 pub(super) fn unforced(cells: u32) -> Cube {
     let motion = "normal = [cube.xmin, cube.ymin, cube.zmin]  tangential = [cube.xmax, cube.ymax, cube.zmax]

@@ -148,6 +148,12 @@ impl Reader<'_, '_, '_> {
             Some("off") => run.consistency = Consistency::Kernel,
             _ => {}
         }
+        if self.choice("completeness") == Some("quadratic") {
+            match run.consistency {
+                Consistency::Kernel => self.refuse_completeness(),
+                _ => run.consistency = Consistency::Quadratic,
+            }
+        }
         match self.choice("momentum_dissipation") {
             Some("off") => run.momentum_dissipation = InterfaceStates::Off,
             Some("constant") => run.momentum_dissipation = InterfaceStates::Constant,
@@ -175,6 +181,16 @@ impl Reader<'_, '_, '_> {
             run.angular_momentum = AngularMomentum::Projected;
         }
         run.wave_speed_every = self.count("wave_speed_every").unwrap_or(run.wave_speed_every);
+    }
+
+    fn refuse_completeness(&mut self) {
+        let Some(site) = self.site("completeness") else { return };
+        let message = "`completeness = quadratic` corrects the gradients that `integration_consistency = on` makes, \
+                       which is off";
+        let help = "write `integration_consistency = on` or `completeness = linear`";
+        let span = site.file.span(site.id);
+        self.stage.mistakes.report(&site.file, Code::Conflict, span, message, "", Some(help.into()));
+        self.sound = false;
     }
 
     fn site(&self, key: &str) -> Option<Site> {
