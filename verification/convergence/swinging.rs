@@ -20,7 +20,8 @@ pub(super) static FULL: LazyLock<[Orders; 3]> =
     LazyLock::new(|| [0.3, 0.45, 0.495].map(|ratio| orders(&[6, 8, 12, 16], complete(ratio))));
 
 /// Four spacings with gradients exact for linear fields only.
-pub(super) static LINEAR: LazyLock<Orders> = LazyLock::new(|| orders(&[6, 8, 12, 16], |cells| swing(0.3, cells)));
+pub(super) static LINEAR: LazyLock<Orders> =
+    LazyLock::new(|| orders(&[6, 8, 12, 16], |cells| swing(0.3, cells)));
 
 /// Four spacings with particles displaced by a fifth of the spacing.
 pub(super) static JITTERED: LazyLock<Orders> = LazyLock::new(|| {
