@@ -17,6 +17,13 @@ pub(super) const AFFINE: Claim = Claim {
     control: || worst("off"),
 };
 
+/// The same with gradients exact for quadratic fields.
+pub(super) const AFFINE_QUADRATIC: Claim = Claim {
+    claim: "an affine motion is followed exactly under its own tractions, gradients exact for quadratic fields",
+    measure: || worst("on  completeness = quadratic"),
+    ..AFFINE
+};
+
 /// The larger error of `F` without and with jitter.
 fn worst(consistency: &str) -> f64 {
     error(0.0, 1.01, consistency).max(error(0.3, 1.2, consistency))

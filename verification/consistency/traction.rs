@@ -31,6 +31,14 @@ pub(super) const PATCH_HOURGLASS: Claim = Claim {
     control: || spread("off", "5"),
 };
 
+/// Gradients exact for quadratic fields, on areas balanced to second degree, keep the patch test.
+pub(super) const PATCH_QUADRATIC: Claim = Claim {
+    claim: "a uniform traction leaves a jittered block in the homogeneous state, gradients exact for quadratic fields",
+    source: "NB25 (31), (32) with columns that sum to the areas the traction acts on",
+    measure: || spread("on  completeness = quadratic  smoothing = 1.2", "0"),
+    ..PATCH
+};
+
 /// Largest difference of a particle's stress from the traction, over the traction.
 fn spread(consistency: &str, hourglass: &str) -> f64 {
     let text = format!(
