@@ -13,6 +13,9 @@ fn figures() -> Vec<FigureOf> {
     let entries = fs::read_dir("specs/figures").expect("the folder is in the repository");
     let mut figures = Vec::new();
     for path in entries.flatten().map(|entry| entry.path()) {
+        if path.extension().is_none_or(|ending| ending != "tissue") {
+            continue;
+        }
         let text = fs::read_to_string(&path).expect("a file of figures is text");
         let (document, mistakes) =
             resolve(&Source { name: path.display().to_string(), text }, &FileSystem, &[]);

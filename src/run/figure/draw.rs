@@ -59,16 +59,17 @@ fn curves(plot: &Plot, title: &str, table: &Table) -> Result<Figure, String> {
         SeriesData::Record { y, x, .. } | SeriesData::Reference { y, x, .. } => (x.clone(), y.clone()),
     });
     let (x_name, y_name) = named.unwrap_or_default();
-    let axis = |at: usize, label: &Option<String>, name: String, range| Axis {
+    let scale = |is_logarithmic| if is_logarithmic { Scale::Logarithmic } else { Scale::Linear };
+    let axis = |at: usize, label: &Option<String>, name: String, range, is_logarithmic| Axis {
         label: label.clone().unwrap_or(name),
         unit: table.columns[at].unit.clone(),
-        scale: Scale::Linear,
+        scale: scale(is_logarithmic),
         range,
     };
     let mut figure = Figure {
         title: title.into(),
-        x: axis(1, &picture.x_label, x_name, picture.x_range),
-        y: axis(2, &picture.y_label, y_name, picture.y_range),
+        x: axis(1, &picture.x_label, x_name, picture.x_range, picture.logarithmic.0),
+        y: axis(2, &picture.y_label, y_name, picture.y_range, picture.logarithmic.1),
         provenance: table.provenance.clone(),
         ..Figure::default()
     };

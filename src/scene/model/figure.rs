@@ -15,6 +15,8 @@ pub struct Picture {
     pub x_range: Option<(f64, f64)>,
     /// Ends of the ordinate, SI.
     pub y_range: Option<(f64, f64)>,
+    /// Whether the abscissa and the ordinate are logarithmic.
+    pub logarithmic: (bool, bool),
     /// Curves and points with a look of their own.
     pub series: Vec<DrawnSeries>,
     /// Regions behind the curves.

@@ -25,11 +25,7 @@ fn one(stage: &mut Stage, block: &Block, of_points: &[String]) -> Result<SweepPl
     let name = stage.output_name(block)?;
     let file = Rc::clone(&stage.file);
     let members = Members::read(stage.mistakes, &file, &SWEEP_PLOT, block);
-    let scale = match members.written("scale") {
-        Some(site) => stage.choice(site, &SWEEP_PLOT, "scale")?,
-        None => "linear",
-    };
-    let logarithmic = (matches!(scale, "log_log" | "log_x"), matches!(scale, "log_log" | "log_y"));
+    let logarithmic = stage.scale(&members, &SWEEP_PLOT)?;
     let slope = match members.written("slope") {
         Some(site) => {
             let order = stage.constant(site, "slope", Dimension::NUMBER)?;

@@ -90,6 +90,12 @@ pub(super) const PLOT_KEYS: &[Parameter] = &[
     optional("y_label", Kind::Text, "the column's name", "What the ordinate is; the unit is added."),
     optional("x_range", Kind::Range, "all values", "Ends of the abscissa; what lies beyond is cut off."),
     optional("y_range", Kind::Range, "all values", "Ends of the ordinate; what lies beyond is cut off."),
+    optional(
+        "scale",
+        Kind::Choice(super::sweep::SCALES),
+        "linear",
+        "How values are laid out along the axes of curves.",
+    ),
     optional("field", Kind::Expression, "none", "The field the panels are coloured by: `field = sigma.xx`."),
     optional("label", Kind::Text, "the field as written", "What the colours mean; the unit is added."),
     optional(

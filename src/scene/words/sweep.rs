@@ -33,7 +33,8 @@ pub(in crate::scene) static SWEEP_RECORD: Declaration = Declaration {
     available: true,
 };
 
-const SCALES: &[Choice] = &[
+/// How values are laid out along the axes.
+pub(super) const SCALES: &[Choice] = &[
     Choice { word: "linear", doc: "both axes in proportion" },
     Choice { word: "log_log", doc: "both axes logarithmic, as for an order of convergence" },
     Choice { word: "log_x", doc: "the abscissa logarithmic" },

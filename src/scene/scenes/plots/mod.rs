@@ -14,6 +14,7 @@ use super::super::members::{Members, Site};
 use super::super::model::{Curve, Picture, Plot, ReferenceCurve};
 use super::super::words::PLOT;
 use super::stage::Stage;
+use crate::schema::Declaration;
 use crate::syntax::{BinaryOperator, Block, Code, Diagnostic, ExprId, ExprKind};
 use crate::unit::Dimension;
 pub(in crate::scene) use columns::{ColumnName, column_dimension, column_name, dotted, table_dimension};
@@ -60,6 +61,7 @@ impl Stage<'_> {
         let (y, x) = axes.map_or((Dimension::NUMBER, Dimension::NUMBER), |(y, x, _)| (y, x));
         picture.x_range = self.range(&members, "x_range", x)?;
         picture.y_range = self.range(&members, "y_range", y)?;
+        picture.logarithmic = self.scale(&members, &PLOT)?;
         picture.fields = self.fields_of(block, &members)?;
         picture.drawing = self.drawing(&members)?;
         let kinds = [axes.is_some(), picture.fields.is_some(), picture.drawing.is_some()];
@@ -75,6 +77,19 @@ impl Stage<'_> {
         let place = file.place(&block.kind.span);
         self.scene.plots.push(Plot { name: name.text, place, curves, points, picture });
         Ok(())
+    }
+
+    /// Whether the abscissa and the ordinate of a plot are logarithmic.
+    pub(in crate::scene) fn scale(
+        &mut self,
+        members: &Members,
+        of: &'static Declaration,
+    ) -> Result<(bool, bool), Reported> {
+        let scale = match members.written("scale") {
+            Some(site) => self.choice(site, of, "scale")?,
+            None => "linear",
+        };
+        Ok((matches!(scale, "log_log" | "log_x"), matches!(scale, "log_log" | "log_y")))
     }
 
     /// The text of a key, if it is written.
