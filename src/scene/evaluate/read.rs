@@ -3,7 +3,7 @@
 use super::super::file::{File, Mistakes, Reported};
 use super::{Evaluator, Leaves, Scalar, Scope, Value};
 use crate::schema::nearest;
-use crate::syntax::{BinaryOperator, Code, ExprId, ExprKind};
+use crate::syntax::{BinaryOperator, Code, ExprId, ExprKind, Span};
 use crate::unit::{Dimension, known_dimensions};
 use std::rc::Rc;
 
@@ -108,7 +108,7 @@ impl<L: Leaves> Evaluator<'_, L> {
         }
         let (found, wanted) = (scalar.dimension.describe(), required.dimension.describe());
         let name = required.name;
-        let help = help(file, id, required.dimension);
+        let help = read_as_unit(file, id).or_else(|| help(file, id, required.dimension));
         let span = file.span(id);
         let (code, message) = if scalar.dimension.is_number() {
             (Code::MissingUnit, format!("`{name}` is {wanted}, but the value is a number without a unit"))
@@ -117,6 +117,27 @@ impl<L: Leaves> Evaluator<'_, L> {
         };
         Err(self.mistakes.report(file, code, span, message, found, help))
     }
+}
+
+/// How to write a product with the time or the volume map whose name was read as tonne or joule: `1 kPa*t`.
+fn read_as_unit(file: &File, id: ExprId) -> Option<String> {
+    let whole = file.span(id);
+    let inside = |span: &Span| whole.start <= span.start && span.end <= whole.end;
+    file.tree.expressions.iter().filter(|part| inside(&part.span)).find_map(|part| {
+        let ExprKind::Number { unit: Some(unit), .. } = &part.kind else { return None };
+        let at = unit.text.rfind(['*', '·', '/'])?;
+        let (before, name) = (&unit.text[..at], unit.text[at..].trim_start_matches(['*', '·', '/']));
+        let (meant, unit_name) = match name {
+            "t" => ("the time", "tonne"),
+            "J" => ("the volume map", "joule"),
+            _ => return None,
+        };
+        let sign = if unit.text[at..].starts_with('/') { '/' } else { '*' };
+        let number = file.text(&(part.span.start..unit.span.start)).trim_end();
+        Some(format!(
+            "`{name}` is the {unit_name} here: write `{number} {before} {sign} {name}` if {meant} is meant"
+        ))
+    })
 }
 
 /// What to write instead: the same number with a unit that fits, or the units there are.

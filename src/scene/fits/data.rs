@@ -190,8 +190,9 @@ fn column(
     require(stage, asked, name, dimension)?;
     if let Some(row) = measured.iter().position(|value| !value.is_finite()) {
         let message = format!("`{name}` has no finite number in row {}", row + 1);
+        let help = Some(format!("correct the row in {}, or leave it out", asked.table.reference.path));
         let span = asked.span(name);
-        return Err(stage.mistakes.report(&asked.file, Code::WrongForm, span, message, "", None));
+        return Err(stage.mistakes.report(&asked.file, Code::WrongForm, span, message, "", help));
     }
     if let Some(row) = measured.iter().position(|value| value.abs() > LARGEST_DATUM) {
         let datum = Quantity::new(measured[row], dimension).to_string();

@@ -92,6 +92,13 @@ impl Stage<'_> {
             let help = Some("write a line of numbers for each row of the table".into());
             return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "empty", help));
         }
+        if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > table.header.len()) {
+            let (found, known) = (row.len(), table.header.len());
+            let message =
+                format!("`{full}` has {found} cells on line {line}, but its header names {known} columns");
+            let help = Some("write a decimal point, not a comma, or name every column in the header".into());
+            return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "", help));
+        }
         if wanted.is_empty() {
             wanted = table
                 .header
@@ -122,6 +129,9 @@ impl Stage<'_> {
             let message = format!("`{path}` has no column `{column}`");
             let help = match nearest(column, table.header.iter().copied()) {
                 Some(meant) => format!("write `{meant}`"),
+                None if table.header.len() == 1 => {
+                    format!("its only column is `{}`; columns are separated by commas", table.header[0])
+                }
                 None => format!("its columns are {}", table.header.join(", ")),
             };
             return Err(self.mistakes.report(
@@ -140,14 +150,9 @@ impl Stage<'_> {
                 Some(value) => values.push(unit.as_ref().map_or(value, |unit| unit.to_si(value))),
                 None => {
                     let message = format!("`{path}` has no number for `{column}` on line {line}");
-                    return Err(self.mistakes.report(
-                        &file,
-                        Code::WrongForm,
-                        span.clone(),
-                        message,
-                        "",
-                        None,
-                    ));
+                    let help = Some("write numbers such as 1.5 or 2e-3, separated by commas".into());
+                    let span = span.clone();
+                    return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "", help));
                 }
             }
         }
