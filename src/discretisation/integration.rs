@@ -65,8 +65,7 @@ const MOST_RUNS: usize = 8;
 /// power of the number of particles along an edge, the count of iterations with its square.
 const MOST_ITERATIONS: usize = 20_000;
 
-/// Corrects `forward`, the entries `V_a G_b(X_a)`, so that the integration constraint holds. Returns the
-/// iterations of conjugate gradients spent.
+/// Corrects `forward`, the entries `V_a G_b(X_a)`, so that the integration constraint holds.
 ///
 /// # Errors
 /// [`DiscretisationError::SingularMoments`], [`DiscretisationError::ConstraintNotMet`].
@@ -77,10 +76,30 @@ pub(super) fn impose(
     list: &Neighbours,
     reverse: &[u32],
     forward: &mut [Vec3],
-) -> Result<usize, DiscretisationError> {
+) -> Result<(), DiscretisationError> {
+    let system = System::new(particles, kernel, h, list)?;
+    meet(&system, particles, list, reverse, forward)
+}
+
+/// A system for the multipliers of the columns that knows what its solution changes.
+pub(super) trait Columns: conjugate::System {
+    /// Adds `δ_ab` of a solution to the entries of every row.
+    fn correct(&self, phi: &[Vec3], forward: &mut [Vec3]);
+}
+
+/// Solves for what the columns miss of their areas and corrects the entries, until nothing is missed.
+///
+/// # Errors
+/// [`DiscretisationError::ConstraintNotMet`].
+pub(super) fn meet(
+    system: &impl Columns,
+    particles: &Particles,
+    list: &Neighbours,
+    reverse: &[u32],
+    forward: &mut [Vec3],
+) -> Result<(), DiscretisationError> {
     let target = particles.boundary_area();
     let scale = particles.spacing * particles.spacing;
-    let system = System::new(particles, kernel, h, list)?;
     let mut iterations = 0;
     for run in 0.. {
         let residual: Vec<Vec3> = (0..target.len())
@@ -99,11 +118,24 @@ pub(super) fn impose(
             let position = particles.position[particle];
             return Err(DiscretisationError::ConstraintNotMet { particle, position, leftover, iterations });
         }
-        let (phi, spent) = conjugate::solve(&system, residual, 0.5 * TOLERANCE * scale, MOST_ITERATIONS);
+        let (phi, spent) = conjugate::solve(system, residual, 0.5 * TOLERANCE * scale, MOST_ITERATIONS);
         iterations += spent;
         system.correct(&phi, forward);
     }
-    Ok(iterations)
+    Ok(())
+}
+
+/// Weights `w_ab = V_a V_b W(|X_b − X_a|)` of every entry, m³; zero for `b = a`, which drops out.
+pub(super) fn weights(particles: &Particles, kernel: Kernel, h: f64, list: &Neighbours) -> Vec<f64> {
+    let (position, volume) = (&particles.position[..], &particles.volume[..]);
+    let row = |a: usize| {
+        list.range(a).map(move |entry| {
+            let b = list.neighbour[entry] as usize;
+            let r = (position[b] - position[a]).norm();
+            if b == a { 0.0 } else { volume[a] * volume[b] * kernel.value(r, h) }
+        })
+    };
+    (0..position.len()).into_par_iter().flat_map_iter(row).collect()
 }
 
 /// The system `K φ = r`, three right sides at once.
@@ -129,15 +161,8 @@ impl<'a> System<'a> {
         h: f64,
         list: &'a Neighbours,
     ) -> Result<Self, DiscretisationError> {
-        let (position, volume) = (&particles.position[..], &particles.volume);
-        let row = |a: usize| {
-            list.range(a).map(move |entry| {
-                let b = list.neighbour[entry] as usize;
-                let r = (position[b] - position[a]).norm();
-                if b == a { 0.0 } else { volume[a] * volume[b] * kernel.value(r, h) }
-            })
-        };
-        let weight: Vec<f64> = (0..position.len()).into_par_iter().flat_map_iter(row).collect();
+        let position = &particles.position[..];
+        let weight = weights(particles, kernel, h, list);
 
         let arm = |a: usize| {
             let weight = &weight;
@@ -191,8 +216,9 @@ impl<'a> System<'a> {
         };
         (0..phi.len()).into_par_iter().map(gradient).collect()
     }
+}
 
-    /// Adds `δ_ab` of a solution to the entries of every row.
+impl Columns for System<'_> {
     fn correct(&self, phi: &[Vec3], forward: &mut [Vec3]) {
         let g = self.gradients(phi);
         for a in 0..phi.len() {

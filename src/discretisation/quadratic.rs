@@ -27,6 +27,7 @@
 use super::coarse::{self, Coarse};
 use super::conjugate;
 use super::error::DiscretisationError;
+use super::integration;
 use super::kernel::Kernel;
 use super::moments::{Basis, QUADRATIC, inverse, reversed};
 use super::neighbour::Neighbours;
@@ -34,15 +35,6 @@ use super::particles::Particles;
 use crate::tensor::Vec3;
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
-
-/// Leftover of the integration constraint that is accepted, as in [`super::integration`].
-const TOLERANCE: f64 = 1e-12;
-
-/// Runs of conjugate gradients after which the constraint counts as not met.
-const MOST_RUNS: usize = 8;
-
-/// Iterations after which a run ends; with the smooth part preconditioned some hundreds are usual.
-const MOST_ITERATIONS: usize = 20_000;
 
 /// Kernel that weighs a change reaches this much farther than the one of the gradients, so that neighbours
 /// at the edge of the list, which second derivatives need, are not ruled out.
@@ -52,7 +44,7 @@ type Moments = SMatrix<f64, QUADRATIC, QUADRATIC>;
 type Monomials = SVector<f64, QUADRATIC>;
 type Fit = SMatrix<f64, 3, QUADRATIC>;
 
-/// Corrects `forward`, the entries `V_a G_b(X_a)`, as the module says. Returns the iterations spent.
+/// Corrects `forward`, the entries `V_a G_b(X_a)`, as the module says.
 ///
 /// # Errors
 /// [`DiscretisationError::SingularQuadratics`] if the neighbours of a particle do not tell quadratic fields apart;
@@ -64,37 +56,10 @@ pub(super) fn impose(
     list: &Neighbours,
     reverse: &[u32],
     forward: &mut [Vec3],
-) -> Result<usize, DiscretisationError> {
+) -> Result<(), DiscretisationError> {
     let rows = Rows::new(particles, kernel, REACH * h, list)?;
     rows.complete(&particles.volume, forward);
-    let area = particles.boundary_area();
-    let scale = particles.spacing * particles.spacing;
-    let tolerance = 0.5 * TOLERANCE * scale;
-
-    let mut iterations = 0;
-    let columns = Columns::new(&rows);
-    for run in 0.. {
-        let residual: Vec<Vec3> = (0..area.len())
-            .into_par_iter()
-            .map(|a| reverse[list.range(a)].iter().fold(area[a], |r, &entry| r - forward[entry as usize]))
-            .collect();
-        let (particle, leftover) = residual
-            .iter()
-            .map(|r| r.amax() / scale)
-            .enumerate()
-            .fold((0, 0.0), |worst, (a, r)| if r > worst.1 || r.is_nan() { (a, r) } else { worst });
-        if leftover <= TOLERANCE {
-            break;
-        }
-        if run == MOST_RUNS || leftover.is_nan() {
-            let position = particles.position[particle];
-            return Err(DiscretisationError::ConstraintNotMet { particle, position, leftover, iterations });
-        }
-        let (phi, spent) = conjugate::solve(&columns, residual, tolerance, MOST_ITERATIONS);
-        iterations += spent;
-        columns.correct(&phi, forward);
-    }
-    Ok(iterations)
+    integration::meet(&Columns::new(&rows), particles, list, reverse, forward)
 }
 
 /// Weights and moments of all rows.
@@ -117,16 +82,9 @@ impl<'a> Rows<'a> {
         h: f64,
         list: &'a Neighbours,
     ) -> Result<Self, DiscretisationError> {
-        let (position, volume) = (&particles.position[..], &particles.volume[..]);
+        let position = &particles.position[..];
         let basis = Basis { inverse_length: 1.0 / particles.spacing };
-        let row = |a: usize| {
-            list.range(a).map(move |entry| {
-                let b = list.neighbour[entry] as usize;
-                let r = (position[b] - position[a]).norm();
-                if b == a { 0.0 } else { volume[a] * volume[b] * kernel.value(r, h) }
-            })
-        };
-        let weight: Vec<f64> = (0..position.len()).into_par_iter().flat_map_iter(row).collect();
+        let weight = integration::weights(particles, kernel, h, list);
         let moments = |a: usize| {
             let mut second = Moments::zeros();
             for entry in list.range(a) {
@@ -238,8 +196,9 @@ impl<'a> Columns<'a> {
         };
         (0..phi.len()).into_par_iter().map(fit).collect()
     }
+}
 
-    /// Adds `δ_ab` of a solution to the entries of every row.
+impl integration::Columns for Columns<'_> {
     fn correct(&self, phi: &[Vec3], forward: &mut [Vec3]) {
         for (a, fit) in self.fits(phi).iter().enumerate() {
             self.rows.add(a, forward, |b, p| phi[b] - phi[a] - fit * p);

@@ -96,12 +96,12 @@ impl Stencils {
         }
         let reverse = list.reverse();
         match consistency {
-            Consistency::Kernel => 0,
+            Consistency::Kernel => {}
             Consistency::Integration => {
                 integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?
             }
             Consistency::Quadratic => quadratic::impose(particles, kernel, h, &list, &reverse, &mut forward)?,
-        };
+        }
         let backward = reverse.iter().map(|&entry| forward[entry as usize]).collect();
         Ok(Self { start: list.start, neighbour: list.neighbour, forward, backward })
     }
