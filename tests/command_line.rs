@@ -269,3 +269,33 @@ fn verify_names_a_claim_that_is_broken_on_purpose_and_ends_with_1() {
     assert_eq!(tissue(&arguments).status.code(), Some(2));
     assert_eq!(tissue(&["verify", "conservation", "--break", "no such words"]).status.code(), Some(2));
 }
+
+/// A refusal in the set-up of one claim is that claim's verdict: the others are measured all the same.
+#[test]
+fn verify_goes_on_where_the_set_up_of_a_claim_panics_and_ends_with_1() {
+    let home = folder("verify_stopped");
+    let (json, html) = (home.join("claims.json"), home.join("report.html"));
+    let sentence = "the tangent of the artery has major symmetry";
+    let arguments = ["verify", "energies", "--json", path(&json), "--html", path(&html)];
+    let output = tissue(&[&arguments[..], &["--stop", sentence]].concat());
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(!text(&output.stderr).contains("panicked"), "{}", text(&output.stderr));
+    let told = text(&output.stdout);
+    let lines: Vec<&str> = told.lines().collect();
+    let cause = "it could not be measured: stopped on purpose";
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(&json).expect("written")).expect("the report is JSON");
+    let claims = report["claims"].as_array().expect("claims are a list");
+    let named = claims.iter().filter(|claim| claim["claim"].as_str().is_some_and(|it| it.contains(sentence)));
+    assert!(named.count() == 1 && claims.len() > 5, "{report}");
+    for claim in claims {
+        let stopped = claim["claim"].as_str().is_some_and(|text| text.contains(sentence));
+        assert_eq!(claim["holds"], !stopped, "{claim}");
+        assert_eq!(claim.get("cause").and_then(|cause| cause.as_str()), stopped.then_some(cause));
+        assert_eq!(claim["measured"].is_null(), stopped);
+    }
+    let fails = lines.iter().position(|line| line.contains("FAILS")).expect("it is named");
+    assert!(lines[fails].contains(sentence) && lines[fails + 2].contains(cause), "{told}");
+    let page = fs::read_to_string(&html).expect("written");
+    assert!(page.contains(cause) && page.contains("<h2>What fails</h2>"));
+}

@@ -44,7 +44,7 @@ fn every_material_of_the_library_holds_its_golden_values() {
 
 #[test]
 fn verify_holds_every_expect_line_of_the_library_with_a_control() {
-    let verdicts = tissue::verify::library_verdicts().expect("the library resolves");
+    let verdicts = tissue::verify::library_verdicts();
     assert!(verdicts.len() >= 74, "two lines a drive: {}", verdicts.len());
     for verdict in verdicts {
         assert!(verdict.holds && verdict.fault().is_none(), "{}: {:?}", verdict.claim, verdict.fault());

@@ -1,7 +1,7 @@
 //! Scenes written as text for claims about the solver.
 //!
-//! Owns the way from text to a running simulation; a scene that does not resolve is a fault of the
-//! claim, so it panics with the mistakes.
+//! Owns the way from text to a running simulation; a scene that does not resolve or run is a fault of the
+//! claim, so it panics with the mistakes, and the claim fails with them as its cause.
 
 use crate::plan::Plan;
 use crate::scene::{Memory, Scene, resolve};
@@ -19,14 +19,30 @@ pub(super) fn scene(text: &str) -> Scene {
 
 /// A simulation of a scene at time zero.
 pub(super) fn simulation(scene: &Scene) -> Simulation {
-    Simulation::new(scene, &Plan::new(scene)).expect("the scene of a claim can be set up")
+    Simulation::new(scene, &Plan::new(scene))
+        .unwrap_or_else(|cause| panic!("the scene of a claim cannot be set up: {cause}"))
+}
+
+/// Takes one step towards a time, s; whether that is reached.
+pub(super) fn stepped(simulation: &mut Simulation, until: f64) -> bool {
+    simulation.step_towards(until).unwrap_or_else(|cause| panic!("the scene of a claim stopped: {cause}"))
+}
+
+/// Takes all steps to a time, s.
+pub(super) fn advance(simulation: &mut Simulation, until: f64) {
+    while !stepped(simulation, until) {}
+}
+
+/// Brings velocities to the time of the positions.
+pub(super) fn synchronised(simulation: &mut Simulation) {
+    simulation.synchronise().unwrap_or_else(|cause| panic!("the scene of a claim stopped: {cause}"));
 }
 
 /// Takes `steps` steps towards the end of a scene.
 pub(super) fn step(simulation: &mut Simulation, scene: &Scene, steps: u64) {
     let end = simulation.steps() + steps;
     while simulation.steps() < end {
-        let reached = simulation.step_towards(scene.run.until).expect("the scene of a claim runs");
+        let reached = stepped(simulation, scene.run.until);
         assert!(!reached || simulation.steps() >= end, "the scene of a claim is long enough");
     }
 }

@@ -116,6 +116,9 @@ pub struct VerifyOptions {
     /// Put the control of the claims that contain this text in the place of what is measured: they must fail
     #[arg(long = "break", value_name = "TEXT")]
     pub broken: Option<String>,
+    /// Let the set-up of the claims that contain this text panic: they must fail, and no other
+    #[arg(long = "stop", value_name = "TEXT")]
+    pub stopped: Option<String>,
     /// Replace files that exist
     #[arg(long)]
     pub overwrite: bool,

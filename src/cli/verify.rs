@@ -3,11 +3,17 @@
 use super::Exit;
 use super::arguments::VerifyOptions;
 use crate::output::file::write_atomic;
-use crate::verify::{Claim, Report, Shown, Tier, Topic, claims_of, illustrations, scene_verdicts};
+use crate::verify::{
+    Claim, Report, Shown, Tier, Topic, caught, claims_of, illustrations, scene_verdicts, silently,
+};
 use std::path::Path;
 
-/// Holds claims and expect lines against their bounds.
+/// Holds claims and expect lines against their bounds; what panics in one of them is its verdict.
 pub fn verify(options: &VerifyOptions) -> Exit {
+    silently(|| judge(options))
+}
+
+fn judge(options: &VerifyOptions) -> Exit {
     let mut topics = Vec::new();
     for name in &options.topics {
         match Topic::ALL.iter().find(|topic| topic.name() == name) {
@@ -33,9 +39,11 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     }
     let tier = if options.full { Tier::Full } else { Tier::Quick };
     let mut claims = claims_of(&topics, tier);
-    if let Some(text) = &options.broken {
-        let broken = claims.iter_mut().filter(|claim| claim.claim.contains(text.as_str()));
-        if broken.map(|claim| claim.measure = claim.control).count() == 0 {
+    let stopped: fn() -> f64 = || panic!("stopped on purpose");
+    for (text, stop) in [(&options.broken, false), (&options.stopped, true)] {
+        let Some(text) = text else { continue };
+        let named = claims.iter_mut().filter(|claim| claim.claim.contains(text.as_str()));
+        if named.map(|claim| claim.measure = if stop { stopped } else { claim.control }).count() == 0 {
             tell!("error: no claim of these topics contains `{text}`");
             return Exit::WrongInput;
         }
@@ -43,16 +51,9 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     let mut verdicts: Vec<_> = claims.iter().map(Claim::judge).collect();
     let mut figures = Vec::new();
     if topics.contains(&Topic::Benchmarks) {
-        match scene_verdicts(tier) {
-            Ok((list, drawn)) => {
-                verdicts.extend(list);
-                figures.extend(drawn);
-            }
-            Err(cause) => {
-                tell!("error: {cause}");
-                return Exit::Failed;
-            }
-        }
+        let (list, drawn) = scene_verdicts(tier);
+        verdicts.extend(list);
+        figures.extend(drawn);
     }
     if verdicts.is_empty() {
         let names: Vec<&str> = topics.iter().map(|topic| topic.name()).collect();
@@ -61,19 +62,14 @@ pub fn verify(options: &VerifyOptions) -> Exit {
     }
     let report = Report::from_verdicts(verdicts);
     say_on!("{}", report.to_text());
-    let mut files = Vec::new();
+    let (mut files, mut complete) = (Vec::new(), true);
     files.extend(options.json.as_ref().map(|path| (path, report.to_json())));
     if let Some(path) = &options.html {
-        match drawn(&report) {
-            Ok(list) => {
-                figures.extend(list);
-                files.push((path, report.to_html(&figures)));
-            }
-            Err(cause) => {
-                tell!("error: {cause}");
-                return Exit::Failed;
-            }
-        }
+        let (list, missing) = drawn(&report);
+        missing.iter().for_each(|cause| tell!("error: {cause}"));
+        complete = missing.is_empty();
+        figures.extend(list);
+        files.push((path, report.to_html(&figures)));
     }
     for (path, text) in files {
         if let Err(cause) = write_atomic(path, text.as_bytes()) {
@@ -81,19 +77,21 @@ pub fn verify(options: &VerifyOptions) -> Exit {
             return Exit::Failed;
         }
     }
-    if report.holds { Exit::Fine } else { Exit::Failed }
+    if report.holds && complete { Exit::Fine } else { Exit::Failed }
 }
 
-/// The figures of the claims of a report.
-fn drawn(report: &Report) -> Result<Vec<Shown>, String> {
-    let mut figures = Vec::new();
+/// The figures of the claims of a report, and why others could not be drawn.
+fn drawn(report: &Report) -> (Vec<Shown>, Vec<String>) {
+    let (mut figures, mut missing) = (Vec::new(), Vec::new());
     for illustration in illustrations() {
         if report.claims.iter().any(|verdict| verdict.claim == illustration.claim) {
-            let figure = (illustration.figure)();
-            let svg =
-                figure.to_svg().map_err(|cause| format!("figure of `{}`: {cause}", illustration.claim))?;
-            figures.push(Shown { claim: illustration.claim.into(), source: None, svg });
+            let svg = caught(illustration.figure)
+                .and_then(|figure| figure.to_svg().map_err(|cause| cause.to_string()));
+            match svg {
+                Ok(svg) => figures.push(Shown { claim: illustration.claim.into(), source: None, svg }),
+                Err(cause) => missing.push(format!("figure of `{}`: {cause}", illustration.claim)),
+            }
         }
     }
-    Ok(figures)
+    (figures, missing)
 }

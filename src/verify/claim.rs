@@ -4,6 +4,7 @@
 
 use std::fmt;
 
+use super::caught::caught;
 use crate::output::Figure;
 use serde::Serialize;
 
@@ -102,10 +103,14 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Measures the claim and its control.
+    /// Measures the claim and its control; a panic of either is the cause why the claim fails.
     pub fn judge(&self) -> Verdict {
-        let measured = (self.measure)();
-        let control = (self.control)();
+        let (measured, control) = (caught(self.measure), caught(self.control));
+        let of = |name: &str, found: &Result<f64, String>| {
+            found.as_ref().err().map(|cause| format!("{name} could not be measured: {cause}"))
+        };
+        let cause = of("it", &measured).or_else(|| of("its control", &control));
+        let (measured, control) = (measured.unwrap_or(f64::NAN), control.unwrap_or(f64::NAN));
         Verdict {
             topic: self.topic,
             claim: self.claim.to_owned(),
@@ -114,6 +119,7 @@ impl Claim {
             measured,
             bound: self.bound,
             control,
+            cause,
             holds: within(measured, self.bound) && misses(control, self.bound),
         }
     }
@@ -145,6 +151,9 @@ pub struct Verdict {
     pub bound: f64,
     /// The error of the wrong variant.
     pub control: f64,
+    /// Why nothing could be measured, where nothing could.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
     /// The measured error is within the bound and the control misses it tenfold.
     pub holds: bool,
 }
@@ -152,7 +161,9 @@ pub struct Verdict {
 impl Verdict {
     /// What is wrong with the claim, or `None` where it holds.
     pub fn fault(&self) -> Option<Fault> {
-        if !within(self.measured, self.bound) {
+        if let Some(cause) = &self.cause {
+            Some(Fault::NotMeasured(cause.clone()))
+        } else if !within(self.measured, self.bound) {
             Some(Fault::Exceeded)
         } else if !misses(self.control, self.bound) {
             Some(Fault::ControlPasses)
@@ -162,13 +173,15 @@ impl Verdict {
     }
 }
 
-/// The two ways in which a claim fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The ways in which a claim fails.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fault {
     /// The measured error exceeds the bound, or is not a number.
     Exceeded,
     /// The wrong variant does not miss the bound tenfold, so the measure cannot tell it apart.
     ControlPasses,
+    /// What it is about could not be set up or did not run to its end.
+    NotMeasured(String),
 }
 
 impl fmt::Display for Fault {
@@ -176,6 +189,7 @@ impl fmt::Display for Fault {
         f.write_str(match self {
             Self::Exceeded => "the measured error exceeds the bound",
             Self::ControlPasses => "the control does not miss the bound tenfold",
+            Self::NotMeasured(cause) => cause,
         })
     }
 }
@@ -216,6 +230,18 @@ mod tests {
         assert!(!claim(1.0, || f64::NAN, || 100.0).holds);
         assert!(!claim(1.0, || -1.0, || 100.0).holds);
         assert!(!claim(1.0, || 0.1, || f64::NAN).holds);
+    }
+
+    #[test]
+    fn a_claim_that_cannot_be_measured_fails_and_says_why() {
+        let measured = claim(1.0, || panic!("the cube\n  stopped"), || 100.0);
+        assert!(!measured.holds && measured.measured.is_nan() && measured.control == 100.0);
+        let told = measured.fault().map(|fault| fault.to_string());
+        assert_eq!(told.as_deref(), Some("it could not be measured: the cube stopped"));
+        let control = claim(1.0, || 0.5, || panic!("the cube stopped"));
+        assert!(!control.holds && control.measured == 0.5);
+        let told = control.fault().map(|fault| fault.to_string());
+        assert_eq!(told.as_deref(), Some("its control could not be measured: the cube stopped"));
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! live beside their references in `verification/`; nothing here knows the command line.
 
 pub mod audit;
+mod caught;
 pub mod claim;
 mod page;
 pub mod report;
@@ -14,6 +15,7 @@ mod claims;
 
 pub(crate) use audit::quantity;
 pub use audit::{MaterialAudit, ellipticity_map};
+pub(crate) use caught::{Shared, caught, silently};
 pub use claim::{Claim, Illustration, Tier, Topic, Verdict};
 pub use claims::{full, illustrations, quick};
 pub use page::Shown;

@@ -98,7 +98,7 @@ impl Report {
 
 fn card(page: &mut String, verdict: &Verdict, figures: &[Shown]) {
     let (class, word) = if verdict.holds { ("holds", "holds") } else { ("fails", "FAILS") };
-    let Verdict { claim, source, because, measured, bound, control, .. } = verdict;
+    let Verdict { claim, source, because, measured, bound, control, cause, .. } = verdict;
     let _ = write!(
         page,
         "<article class=\"{class}\"><div><h3><span class=\"mark\">{word}</span> {}</h3>{}\
@@ -110,6 +110,9 @@ fn card(page: &mut String, verdict: &Verdict, figures: &[Shown]) {
         escaped(source),
         escaped(because)
     );
+    if let Some(cause) = cause {
+        let _ = write!(page, "<p><b>cause</b> {}</p>", escaped(cause));
+    }
     page.push_str("</div>");
     let mut drawn = figures.iter().filter(|shown| shown.is_of(verdict)).peekable();
     if drawn.peek().is_some() {
@@ -223,7 +226,8 @@ mod tests {
             control: || 1e-3,
         };
         let broken = Claim { claim: "a broken one", measure: || 1.0, ..claim };
-        Report { version: "0.1.0".into(), ..Report::of(&[claim, broken]) }
+        let stopped = Claim { claim: "one that stops", measure: || panic!("J <= 0"), ..claim };
+        Report { version: "0.1.0".into(), ..Report::of(&[claim, stopped, broken]) }
     }
 
     #[test]
@@ -232,7 +236,8 @@ mod tests {
             Shown { claim: "a broken one".into(), source: None, svg: "<svg id=\"shown\"></svg>".into() };
         let page = report().to_html(&[figure]);
         insta::assert_snapshot!("page", page);
-        assert!(page.contains("1 of 2 claims hold") && page.contains("<li>a broken one: the measured error"));
+        assert!(page.contains("1 of 3 claims hold") && page.contains("<li>a broken one: the measured error"));
+        assert!(page.contains("<li>one that stops: it could not be measured: J &lt;= 0</li>"));
         assert!(page.contains("stress &lt; derivative &amp; nothing else"));
         // the figure stands in the card of its claim, the last
         let (before, after) = page.split_once("<svg id=\"shown\">").expect("the figure is on the page");

@@ -65,7 +65,9 @@ fn lines(verdict: &Verdict) -> String {
     let mut text = format!(
         "  {mark}  {claim}  [{source}]\n         measured {measured:.2e}  bound {bound:.2e}  control {control:.2e}\n"
     );
-    if let Some(fault) = verdict.fault() {
+    if verdict.cause.is_some() {
+        text.push_str(&verdict.fault().map_or_else(String::new, |fault| format!("         {fault}\n")));
+    } else if let Some(fault) = verdict.fault() {
         text.push_str(&format!("         {fault}; the bound is {because}\n"));
     }
     text
@@ -116,6 +118,16 @@ mod tests {
         assert!(!report.holds);
         assert!(report.to_text().contains("the control does not miss the bound tenfold"));
         assert!(!Report::of(&[]).holds);
+    }
+
+    #[test]
+    fn a_claim_that_panics_is_named_with_its_cause_and_the_others_are_measured() {
+        let stopped =
+            Claim { claim: "one that stops", measure: || panic!("J <= 0 at particle 3"), ..CLAIMS[0] };
+        let report = Report { version: "0.1.0".into(), ..Report::of(&[stopped, CLAIMS[0], CLAIMS[1]]) };
+        assert!(!report.holds);
+        insta::assert_snapshot!("stopped", report.to_text());
+        insta::assert_snapshot!("stopped_json", report.to_json());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Owns the running of embedded files in memory: what `tissue verify benchmarks` holds is what
 //! `tissue run` judges in the same file.
 
+use super::caught::caught;
 use super::claim::{CONTROL_FACTOR, Tier, Topic, Verdict};
 use super::claims::benchmarks::{BenchmarkFile, FILES, SCENES};
 use super::page::Shown;
@@ -47,43 +48,25 @@ fn document(path: &str, text: String, overrides: &[(String, String)]) -> Result<
 /// Runs every benchmark scene and sweep of a tier and below, and every drive of the library, and judges
 /// their expect lines; the plots of each stand beside its first line.
 ///
-/// # Errors
-/// If a file does not resolve or cannot be set up. A run that stops early is a verdict that fails.
-pub fn scene_verdicts(tier: Tier) -> Result<(Vec<Verdict>, Vec<Shown>), String> {
+/// What does not resolve, cannot be set up or stops early is a verdict that fails, with its cause.
+pub fn scene_verdicts(tier: Tier) -> (Vec<Verdict>, Vec<Shown>) {
     let mut held = Held::default();
     for BenchmarkFile { path, wrong, .. } in SCENES.iter().filter(|file| file.tier <= tier) {
-        let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"))?;
-        let document = document(path, text, &[])?;
-        for drive in &document.drives {
-            held.add(verdicts_of_drive(path, drive)?);
-        }
-        for fit in &document.fits {
-            held.add((verdicts_of_fit(path, fit)?, Vec::new()));
-        }
-        for scene in &document.scenes {
-            held.add(verdicts_of(path, scene, wrong)?);
-        }
-        for sweep in &document.sweeps {
-            held.add(verdicts_of_sweep(path, sweep, wrong)?);
-        }
+        let text = Embedded.load(path).map_err(|cause| format!("{path}: {cause}"));
+        held.document(path, text.and_then(|text| document(path, text, &[])), wrong);
     }
-    held.verdicts.extend(library_verdicts()?);
-    Ok((held.verdicts, held.figures))
+    held.verdicts.extend(library_verdicts());
+    (held.verdicts, held.figures)
 }
 
 /// Runs every drive of the standard library and judges its expect lines.
-///
-/// # Errors
-/// If a file does not resolve or its drive cannot be set up.
-pub fn library_verdicts() -> Result<Vec<Verdict>, String> {
-    let mut verdicts = Vec::new();
+pub fn library_verdicts() -> Vec<Verdict> {
+    let mut held = Held::default();
     for file in library() {
         let path = format!("specs/{}/{}.tissue", file.library, file.name);
-        for drive in &document(&path, file.text.into(), &[])?.drives {
-            verdicts.extend(verdicts_of_drive(&path, drive)?.0);
-        }
+        held.document(&path, document(&path, file.text.into(), &[]), &[]);
     }
-    Ok(verdicts)
+    held.verdicts
 }
 
 /// Verdicts and plots so far.
@@ -94,14 +77,62 @@ struct Held {
 }
 
 impl Held {
-    /// Adds the verdicts of a run, its plots beside the first.
-    fn add(&mut self, (verdicts, plots): (Vec<Verdict>, Vec<String>)) {
-        if let Some(first) = verdicts.first() {
-            let (claim, source) = (&first.claim, &first.source);
-            let shown = |svg| Shown { claim: claim.clone(), source: Some(source.clone()), svg };
-            self.figures.extend(plots.into_iter().map(shown));
+    /// Adds what a file says, or the one verdict that it cannot be read.
+    fn document(&mut self, path: &str, read: Result<Document, String>, wrong: &[(&str, &str)]) {
+        let document = match read {
+            Ok(document) => document,
+            Err(cause) => {
+                return self.verdicts.push(not_measured(format!("{path} can be read"), path.into(), &cause));
+            }
+        };
+        for drive in &document.drives {
+            self.add(path, &drive.name, &drive.expectations, || verdicts_of_drive(path, drive));
         }
-        self.verdicts.extend(verdicts);
+        for fit in &document.fits {
+            self.add(path, &fit.name, &fit.expectations, || Ok((verdicts_of_fit(path, fit)?, Vec::new())));
+        }
+        for scene in &document.scenes {
+            self.add(path, &scene.name, &scene.expectations, || verdicts_of(path, scene, wrong));
+        }
+        for sweep in &document.sweeps {
+            self.add(path, &sweep.name, &sweep.expectations, || verdicts_of_sweep(path, sweep, wrong));
+        }
+    }
+
+    /// Adds the verdicts of a run, its plots beside the first; where it could not be judged, each of its lines fails.
+    fn add(&mut self, path: &str, name: &str, expectations: &[Expectation], judge: impl FnOnce() -> Judged) {
+        match caught(judge).and_then(|judged| judged) {
+            Ok((verdicts, plots)) => {
+                if let Some(first) = verdicts.first() {
+                    let (claim, source) = (&first.claim, &first.source);
+                    let shown = |svg| Shown { claim: claim.clone(), source: Some(source.clone()), svg };
+                    self.figures.extend(plots.into_iter().map(shown));
+                }
+                self.verdicts.extend(verdicts);
+            }
+            Err(cause) if expectations.is_empty() => {
+                self.verdicts.push(not_measured(format!("{name} can be run"), path.into(), &cause));
+            }
+            Err(cause) => self.verdicts.extend(expectations.iter().map(|expectation| {
+                let place = format!("{}:{}", expectation.place.file, expectation.place.line);
+                not_measured(format!("{name}: {}", expectation.text), place, &cause)
+            })),
+        }
+    }
+}
+
+/// The verdict on a line of which nothing could be measured.
+fn not_measured(claim: String, source: String, cause: &str) -> Verdict {
+    Verdict {
+        topic: Topic::Benchmarks,
+        claim,
+        source,
+        because: "the tolerance the file states".into(),
+        measured: f64::NAN,
+        bound: f64::NAN,
+        control: f64::NAN,
+        cause: Some(format!("it could not be measured: {cause}")),
+        holds: false,
     }
 }
 
@@ -132,11 +163,14 @@ fn verdicts_of(path: &str, scene: &Scene, changes: &[(&str, &str)]) -> Judged {
     let provenance = Provenance::new(path, "", &scene.name);
     let job = Job { scene, plan: &plan, provenance: provenance.clone(), folder: None };
     let outcome = execute(&job, &mut ()).map_err(|cause| format!("{path}: {cause}"))?;
-    let (report, stopped) = (&outcome.report, outcome.failure.is_some());
+    let (report, stopped) = (&outcome.report, cause_of(&outcome.report.status));
     let mut verdicts =
         judged(&scene.name, &scene.expectations, &report.expectations, &outcome.tables, stopped);
-    let shown =
-        if stopped { Vec::new() } else { pictures(&scene.name, &scene.plots, &outcome.tables, &provenance)? };
+    let shown = if stopped.is_some() {
+        Vec::new()
+    } else {
+        pictures(&scene.name, &scene.plots, &outcome.tables, &provenance)?
+    };
     let results = wrong_variant(path, &scene.name, changes)?;
     for (verdict, wrong) in verdicts.iter_mut().zip(results) {
         // a line the wrong scene breaks shows what it can tell; others hold of any material
@@ -176,11 +210,11 @@ fn wrong_variant(
 fn verdicts_of_sweep(path: &str, described: &Sweep, changes: &[(&str, &str)]) -> Judged {
     let name = &described.name;
     let outcome = swept(path, described)?;
-    let stopped = matches!(outcome.report.status, RunStatus::Stopped { .. });
+    let stopped = cause_of(&outcome.report.status);
     let found = &outcome.report.expectations;
     let mut verdicts = judged(name, &described.expectations, found, &outcome.tables, stopped);
     let provenance = Provenance::new(path, "", name);
-    let shown = if stopped {
+    let shown = if stopped.is_some() {
         Vec::new()
     } else {
         drawn(name, sweep_figures(described, &outcome.tables, &outcome.points, &provenance))?
@@ -216,11 +250,14 @@ fn verdicts_of_drive(path: &str, described: &Drive) -> Judged {
     let provenance = Provenance::new(path, "", &described.name);
     let job = DriveJob { drive: described, provenance: provenance.clone(), folder: None };
     let outcome = drive(&job).map_err(|cause| format!("{path}: {cause}"))?;
-    let (report, stopped) = (&outcome.report, outcome.failure.is_some());
+    let (report, stopped) = (&outcome.report, cause_of(&outcome.report.status));
     let name = &described.name;
     let verdicts = judged(name, &described.expectations, &report.expectations, &outcome.tables, stopped);
-    let shown =
-        if stopped { Vec::new() } else { pictures(name, &described.plots, &outcome.tables, &provenance)? };
+    let shown = if stopped.is_some() {
+        Vec::new()
+    } else {
+        pictures(name, &described.plots, &outcome.tables, &provenance)?
+    };
     Ok((verdicts, shown))
 }
 
@@ -228,9 +265,17 @@ fn verdicts_of_fit(path: &str, described: &Fit) -> Result<Vec<Verdict>, String> 
     let provenance = Provenance::new(path, "", &described.name);
     let outcome = fit(&FitJob { fit: described, provenance, folder: None })
         .map_err(|cause| format!("{path}: {cause}"))?;
-    let stopped = matches!(outcome.report.status, RunStatus::Stopped { .. });
+    let stopped = cause_of(&outcome.report.status);
     let report = &outcome.report;
     Ok(judged(&described.name, &described.expectations, &report.expectations, &outcome.found, stopped))
+}
+
+/// Why a run stopped early, if it did.
+fn cause_of(status: &RunStatus) -> Option<&str> {
+    match status {
+        RunStatus::Stopped { cause } => Some(cause),
+        _ => None,
+    }
 }
 
 fn judged(
@@ -238,7 +283,7 @@ fn judged(
     expectations: &[Expectation],
     verdicts: &[ExpectationVerdict],
     tables: &[Table],
-    stopped: bool,
+    stopped: Option<&str>,
 ) -> Vec<Verdict> {
     let pairs = expectations.iter().zip(verdicts);
     pairs
@@ -251,7 +296,13 @@ fn judged(
             measured: verdict.measured.unwrap_or(f64::NAN),
             bound: verdict.bound,
             control: control(expectation, tables).unwrap_or(f64::NAN),
-            holds: verdict.holds && !stopped,
+            cause: stopped.map(|cause| format!("it stopped early: {cause}")).or_else(|| {
+                verdict.measured.is_none().then(|| format!("it could not be measured: {}", verdict.note))
+            }),
+            holds: verdict.holds && stopped.is_none(),
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -191,7 +191,7 @@ scene framed {{
 fn advanced(text: &str, steps: u32) -> Simulation {
     let mut simulation = scene::simulation(&scene::scene(text));
     for n in 1..=steps {
-        let reached = simulation.step_towards(f64::from(n) * STEP).expect("the scene of a claim runs");
+        let reached = scene::stepped(&mut simulation, f64::from(n) * STEP);
         assert!(reached, "the step of a claim is below the stable one");
     }
     simulation

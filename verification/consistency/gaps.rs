@@ -4,7 +4,7 @@ use crate::monitor::{Involutions, involutions};
 use crate::output::Figure;
 use crate::verify::claim::Illustration;
 use crate::verify::claims::picture::{Lines, orders};
-use crate::verify::claims::scene::{scene, simulation, thrown_cube};
+use crate::verify::claims::scene::{advance, scene, simulation, thrown_cube};
 use crate::verify::{Claim, Topic};
 
 /// Time the cube flies, s: half a radian of turn, stretches of some ten per cent.
@@ -66,7 +66,7 @@ fn gap(cfl: f64, run: &str) -> (u64, Involutions) {
     let text = thrown_cube(&run, "").replace("until = 1 s", &format!("until = {UNTIL} s"));
     let scene = scene(&text);
     let mut simulation = simulation(&scene);
-    while !simulation.step_towards(scene.run.until).expect("the cube flies") {}
+    advance(&mut simulation, scene.run.until);
     (simulation.steps(), involutions(simulation.bodies()))
 }
 

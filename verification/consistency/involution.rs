@@ -7,8 +7,7 @@ use crate::verify::claim::Illustration;
 use crate::verify::claims::cube::{Case, Cube};
 use crate::verify::claims::picture::{bounded, history, orders};
 use crate::verify::claims::scene::{scene, simulation, small_cube, step};
-use crate::verify::{Claim, Topic};
-use std::sync::LazyLock;
+use crate::verify::{Claim, Shared, Topic};
 
 const BECAUSE: &str = "differences of one stencil commute, so CURL is zero where stencils are alike and decays away from \
                        the boundary; DIV of a cofactor misses the product rule by the next term of the expansion, \
@@ -126,8 +125,8 @@ fn at_spacings(case: Case) -> Means {
 /// Spacing, m, and the means of the two.
 type Means = [(f64, (f64, f64)); 3];
 
-static SWINGING: LazyLock<Means> = LazyLock::new(|| at_spacings(Case::Swinging(0.3)));
-static LARGE: LazyLock<Means> = LazyLock::new(|| at_spacings(Case::Fibres));
+static SWINGING: Shared<Means> = Shared::new(|| at_spacings(Case::Swinging(0.3)));
+static LARGE: Shared<Means> = Shared::new(|| at_spacings(Case::Fibres));
 
 fn over_spacings(what: &str, means: &Means, of: fn((f64, f64)) -> f64) -> Figure {
     let points = means.map(|(spacing, means)| (spacing, of(means))).to_vec();

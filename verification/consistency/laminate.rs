@@ -1,6 +1,6 @@
 //! Two bodies bonded at an interface against the laminate they are.
 
-use super::super::scene::{scene, simulation};
+use super::super::scene::{advance, scene, simulation};
 use crate::solver::{BodyState, Simulation};
 use crate::verify::{Claim, Topic};
 
@@ -84,7 +84,7 @@ scene laminate {{
 fn run(text: &str) -> Simulation {
     let scene = scene(text);
     let mut simulation = simulation(&scene);
-    while !simulation.step_towards(scene.run.until).expect("the scene of a claim runs") {}
+    advance(&mut simulation, scene.run.until);
     simulation
 }
 

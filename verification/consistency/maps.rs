@@ -5,7 +5,7 @@ use crate::monitor::involutions;
 use crate::tensor::{Mat3, cofactor, cross, volume_map};
 use crate::verify::claim::Illustration;
 use crate::verify::claims::picture::history;
-use crate::verify::claims::scene::{scene, simulation, spinning_cube, step};
+use crate::verify::claims::scene::{scene, simulation, spinning_cube, step, stepped};
 use crate::verify::{Claim, Topic};
 
 /// An energy of I2 sees the H that is evolved, not the cofactor of F.
@@ -43,7 +43,7 @@ pub(super) const FIGURES: [Illustration; 1] = [Illustration {
             let scene = scene(&spinning_cube(&run, 3.0));
             let mut simulation = simulation(&scene);
             let mut points = Vec::new();
-            while !simulation.step_towards(scene.run.until).expect("the cube spins") {
+            while !stepped(&mut simulation, scene.run.until) {
                 points.push((simulation.time(), involutions(simulation.bodies()).volume_map));
             }
             points
@@ -61,7 +61,7 @@ fn drift(dissipation: &str) -> f64 {
     let rate = simulation.bodies()[0].rest.pressure / simulation.bodies()[0].particles.spacing;
     let restoring = if dissipation == "restoring" { rate } else { 0.0 };
     let (mut gap, mut dissipated) = (0.0_f64, 0.0_f64);
-    while !simulation.step_towards(scene.run.until).expect("the cube spins") {
+    while !stepped(&mut simulation, scene.run.until) {
         for block in &simulation.bodies()[0].blocks {
             for (i, total) in block.volume_dissipation.iter().enumerate() {
                 let behind = volume_map(&block.f[i], &cofactor(&block.f[i])) - block.j[i];

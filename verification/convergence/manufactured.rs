@@ -2,24 +2,22 @@
 
 use super::orders::{Orders, order_claim, orders};
 use super::swinging::{BOUNDARY, SECOND, UNFORCED};
-use crate::verify::Claim;
 use crate::verify::claims::cube::{Case, Cube};
-use std::sync::LazyLock;
+use crate::verify::{Claim, Shared};
 
 /// A cube without dissipation, which a motion without zero-energy modes does not need.
 fn undamped(case: Case) -> impl Fn(u32) -> Cube {
     move |cells| Cube { run: "momentum_dissipation = off", ..Cube::new(case, cells) }
 }
 
-pub(super) static QUICK: LazyLock<Orders> =
-    LazyLock::new(|| orders(&[6, 8, 12], undamped(Case::MovedFibres)));
+pub(super) static QUICK: Shared<Orders> = Shared::new(|| orders(&[6, 8, 12], undamped(Case::MovedFibres)));
 
-pub(super) static FULL: LazyLock<[Orders; 2]> = LazyLock::new(|| {
+pub(super) static FULL: Shared<[Orders; 2]> = Shared::new(|| {
     [Case::MovedNeoHooke, Case::MovedFibres].map(|case| orders(&[8, 12, 16, 24], undamped(case)))
 });
 
 /// The paper's choices, on the same solids.
-pub(super) static SEED: LazyLock<[Orders; 2]> = LazyLock::new(|| {
+pub(super) static SEED: Shared<[Orders; 2]> = Shared::new(|| {
     [Case::MovedNeoHooke, Case::MovedFibres]
         .map(|case| orders(&[6, 8, 12], |cells| Cube { run: "scheme = seed", ..Cube::new(case, cells) }))
 });

@@ -1,30 +1,28 @@
 //! The swinging cube: a standing shear wave with an exact solution.
 
 use super::orders::{Orders, order_claim, orders, unforced};
-use crate::verify::Claim;
 use crate::verify::claims::cube::{Case, Cube};
-use std::sync::LazyLock;
+use crate::verify::{Claim, Shared};
 
 /// Three coarse spacings, within two seconds.
-pub(super) static QUICK: LazyLock<Orders> = LazyLock::new(|| orders(&[6, 8, 12], complete(0.3)));
+pub(super) static QUICK: Shared<Orders> = Shared::new(|| orders(&[6, 8, 12], complete(0.3)));
 
 /// The wrong variant, of another motion.
-pub(super) static UNFORCED: LazyLock<Orders> = LazyLock::new(|| orders(&[4, 8], unforced));
+pub(super) static UNFORCED: Shared<Orders> = Shared::new(|| orders(&[4, 8], unforced));
 
 /// The paper's choices: first-order interface states, areas wrong near the boundary.
-pub(super) static SEED: LazyLock<Orders> =
-    LazyLock::new(|| orders(&[6, 8, 12], |cells| Cube { run: "scheme = seed", ..swing(0.3, cells) }));
+pub(super) static SEED: Shared<Orders> =
+    Shared::new(|| orders(&[6, 8, 12], |cells| Cube { run: "scheme = seed", ..swing(0.3, cells) }));
 
 /// Four spacings at three ratios of Poisson.
-pub(super) static FULL: LazyLock<[Orders; 3]> =
-    LazyLock::new(|| [0.3, 0.45, 0.495].map(|ratio| orders(&[6, 8, 12, 16], complete(ratio))));
+pub(super) static FULL: Shared<[Orders; 3]> =
+    Shared::new(|| [0.3, 0.45, 0.495].map(|ratio| orders(&[6, 8, 12, 16], complete(ratio))));
 
 /// Four spacings with gradients exact for linear fields only.
-pub(super) static LINEAR: LazyLock<Orders> =
-    LazyLock::new(|| orders(&[6, 8, 12, 16], |cells| swing(0.3, cells)));
+pub(super) static LINEAR: Shared<Orders> = Shared::new(|| orders(&[6, 8, 12, 16], |cells| swing(0.3, cells)));
 
 /// Four spacings with particles displaced by a fifth of the spacing.
-pub(super) static JITTERED: LazyLock<Orders> = LazyLock::new(|| {
+pub(super) static JITTERED: Shared<Orders> = Shared::new(|| {
     let run = "completeness = quadratic  smoothing = 1.2";
     orders(&[6, 8, 12, 16], |cells| Cube { jitter: 0.2, run, ..swing(0.3, cells) })
 });
