@@ -14,7 +14,7 @@ use super::links::Links;
 use super::loads::{ExternalForces, evaluate};
 use super::pass::{Workspaces, gradients_of_positions};
 use super::quad::{Columns, Quad};
-use super::time_step::elastic_length;
+use super::time_step::{Rates, elastic_length};
 use crate::discretisation::{Consistency, Particles, Stencils};
 use crate::energy::{Law, MotionState};
 use crate::plan::{Field, Pass, Plan};
@@ -87,7 +87,7 @@ pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, S
         exact,
         supports,
         elastic_length: elastic_length(&stencils, &particles.volume, particles.spacing),
-        dissipation_rate: 0.0,
+        rates: Rates::default(),
         launch_speed,
         rest: Speeds { pressure: rest.pressure, shear: rest.shear },
         fastest: (rest.pressure, 0),

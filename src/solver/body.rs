@@ -9,6 +9,7 @@ use super::force::Packet;
 use super::hourglass::Hourglass;
 use super::links::Links;
 use super::quad::{Columns, Quad};
+use super::time_step::Rates;
 use crate::discretisation::Particles;
 use crate::energy::{Directions, Law, Maps, Scratch};
 use crate::tensor::{Mat3, Vec3};
@@ -158,8 +159,8 @@ pub struct BodyState {
     pub rest: Speeds,
     /// Length an elastic wave may travel in a step, m.
     pub elastic_length: f64,
-    /// Fastest rate of the dissipation, 1/s.
-    pub dissipation_rate: f64,
+    /// How fast the dissipation changes momentum and volume map.
+    pub rates: Rates,
     /// Greatest initial speed, m/s.
     pub launch_speed: f64,
     /// Greatest wave speed now and its particle, m/s.

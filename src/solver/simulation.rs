@@ -21,7 +21,7 @@ use super::pass::{
     ForceTerms, VolumeTerms, Workspaces, forces, gradients_of_positions, maps_and_stress, wave_speeds,
 };
 use super::projection::Projection;
-use super::time_step::{dissipation_rate, stable_step};
+use super::time_step::{Rates, stable_step};
 use crate::plan::{Pass, Plan, RELAXATION_OF_J, damping_rate};
 use crate::scene::{Integrator, InterfaceStates, Run, Scene, VolumeDissipation};
 use rayon::prelude::*;
@@ -88,12 +88,9 @@ impl Simulation {
         simulation.affine = affine_motions(scene, plan, &simulation.bodies);
         for index in 0..simulation.bodies.len() {
             let terms = simulation.force_terms(index);
-            let rate = dissipation_rate(&mut simulation.bodies[index], terms);
-            // D(J) relaxes J at the same rate as D(p) relaxes p: both go with c_p over the spacing
             let weight = simulation.run.volume_wave_weight;
-            let (share, relaxation) =
-                terms.volume.map_or((1.0, 0.0), |volume| (1.0 + weight, volume.relaxation));
-            simulation.bodies[index].dissipation_rate = share * rate + relaxation;
+            let body = &mut simulation.bodies[index];
+            body.rates = Rates::new(body, terms, weight);
         }
         simulation.refresh_stable_step()?;
         simulation.prepare_supports(simulation.stable_step);
@@ -387,8 +384,9 @@ impl Simulation {
                 wave_speeds(body, &self.workspaces);
             }
             let (speed, particle) = body.fastest;
-            let rate = body.dissipation_rate + self.damping;
-            let required = stable_step(self.run.cfl, body.elastic_length, speed, body.hourglass_rate, rate);
+            let rate = body.rates.shared + self.damping;
+            let required = stable_step(self.run.cfl, body.elastic_length, speed, body.hourglass_rate, rate)
+                .min(self.run.cfl * body.rates.relaxation_step());
             let allowed = SMALLEST_STEP * self.run.until;
             if required.is_nan() || required < allowed {
                 let position = body.particles.position[particle];

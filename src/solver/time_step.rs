@@ -4,6 +4,7 @@
 //! elastic wave may travel, and how fast the dissipation relaxes. Knows no clock.
 
 use super::body::BodyState;
+use super::dissipation::Speeds;
 use super::pass::{ForceTerms, forces, velocity_gradients_of_body};
 use super::quad::Quad;
 use crate::discretisation::Stencils;
@@ -34,7 +35,7 @@ pub fn elastic_length(stencils: &Stencils, volume: &[f64], spacing: f64) -> f64 
 /// | `length` | `ℓ` of [`elastic_length`] | m |
 /// | `speed` | `c_p,max` | m/s |
 /// | `hourglass` | `ω_g²`, square of the fastest frequency of the hourglass penalty | 1/s² |
-/// | `rate` | `ζ` of [`dissipation_rate`], any other damping included | 1/s |
+/// | `rate` | `ζ` of [`Rates`], any other damping included | 1/s |
 ///
 /// Returns s; not a number if the speed is none.
 pub fn stable_step(cfl: f64, length: f64, speed: f64, hourglass: f64, rate: f64) -> f64 {
@@ -42,6 +43,49 @@ pub fn stable_step(cfl: f64, length: f64, speed: f64, hourglass: f64, rate: f64)
     let elastic = slowness / libm::sqrt(1.0 + 0.25 * hourglass * slowness * slowness);
     let z = 0.25 * rate * elastic;
     cfl * elastic * (libm::sqrt(1.0 + z * z) - z)
+}
+
+/// How fast the dissipation of a body works, for the steps that follow it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rates {
+    /// `ζ` of [`stable_step`], on the modes that also swing: D(p) and D(J) as if they were one, 1/s.
+    pub shared: f64,
+    /// Fastest rate at which D(J) and its restoring term change J on a mode that does not swing, 1/s.
+    pub volume: f64,
+}
+
+impl Rates {
+    /// Of a body and what its forces are made of; `weight` is that of D(J).
+    ///
+    /// D(J) changes J at most as D(p) changes p, with c_p over the spacing, but whatever the states and
+    /// weights of D(p) are. On an alternating J it is faster: a scalar feels every pair as p feels the
+    /// pairs along it, so its rate is that of D(p) with constant states and `c_s = c_p`, about twice as much.
+    pub fn new(body: &mut BodyState, terms: ForceTerms, weight: f64) -> Self {
+        let momentum = dissipation_rate(body, terms);
+        let Some(volume) = terms.volume else {
+            return Self { shared: momentum, volume: 0.0 };
+        };
+        let Speeds { pressure, shear } = body.rest;
+        let states = match terms.states {
+            InterfaceStates::Off => InterfaceStates::Constant,
+            states => states,
+        };
+        let whole = ForceTerms { states, speeds: Speeds { pressure, shear }, ..terms };
+        let swinging = if whole == terms { momentum } else { dissipation_rate(body, whole) };
+        let scalar = Speeds { pressure, shear: pressure };
+        let alternating =
+            dissipation_rate(body, ForceTerms { states: InterfaceStates::Constant, speeds: scalar, ..terms });
+        Self {
+            shared: momentum + weight * swinging + volume.relaxation,
+            volume: weight * alternating + volume.relaxation,
+        }
+    }
+
+    /// Longest step of a relaxation at the rate of `volume` that does not overshoot by more than it starts
+    /// with, s; infinite without D(J).
+    pub fn relaxation_step(&self) -> f64 {
+        2.0 / self.volume
+    }
 }
 
 /// Power iterations; the largest rates of a lattice lie close together, and any of them will do.
@@ -59,7 +103,7 @@ const MARGIN: f64 = 1.05;
 /// by power iteration from a fixed field without symmetry. The body must be unstressed and at rest
 /// in its packets; its velocities and forces are left as they were. Limited states take the rate of linear ones,
 /// of whose dissipation they are a part.
-pub fn dissipation_rate(body: &mut BodyState, terms: ForceTerms) -> f64 {
+fn dissipation_rate(body: &mut BodyState, terms: ForceTerms) -> f64 {
     let states = match terms.states {
         InterfaceStates::Limited => InterfaceStates::Linear,
         states => states,
