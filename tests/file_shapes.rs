@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use tissue::discretisation::{Consistency, Kernel, Particles, Shape, Solid, Stencils};
+use tissue::monitor::totals;
 use tissue::output::{Frame, FrameField};
 use tissue::plan::Plan;
 use tissue::scene::{Memory, Scene, resolve};
@@ -142,6 +143,42 @@ fn a_uniform_stress_is_in_equilibrium_on_a_ball_of_triangles() {
     }
 }
 
+/// A half, a quarter and an eighth of the ball are those parts of the whole: to the last digits where the lattice of the
+/// whole has a layer in the plane, for images move alike. Areas of curved and plane faces balance.
+#[test]
+fn a_part_of_a_ball_is_that_part_of_the_whole() {
+    let shape = Shape::Solid(Solid::new(&ball()).expect("the surface is closed").into());
+    let whole = Particles::lattice(&shape, 0.2, [None; 3], 0.0).expect("the spacing resolves the body");
+    for planes in [[true, false, false], [false, true, true], [true; 3]] {
+        let symmetry = planes.map(|cut| cut.then_some(0.0));
+        let part = Particles::lattice(&shape, 0.2, symmetry, 0.0).expect("the spacing resolves the body");
+        let cut = |axis: usize| planes[axis].then_some(["symmetry_x", "symmetry_y", "symmetry_z"][axis]);
+        let names: Vec<&str> = ["surface"].into_iter().chain((0..3).filter_map(cut)).collect();
+        assert_eq!(part.faces.iter().map(|face| face.name.as_str()).collect::<Vec<_>>(), names);
+        for axis in (0..3).filter(|&axis| planes[axis]) {
+            let face = part.face(["symmetry_x", "symmetry_y", "symmetry_z"][axis]).expect("it is named");
+            assert!(face.nodes.iter().all(|&a| part.position[a as usize][axis] == 0.0));
+            // a disc of this many sides, or its part: a chord of dx cuts dx²/8 off
+            let disc =
+                std::f64::consts::PI / 2_f64.powi(planes.iter().filter(|cut| **cut).count() as i32 - 1);
+            let area: f64 = face.area.iter().map(|n| -n[axis]).sum();
+            assert!((area / disc - 1.0).abs() < 0.02, "{planes:?}: {area} {disc}");
+        }
+        let area = part.boundary_area();
+        assert!(area.iter().sum::<Vec3>().norm() < 1e-12);
+        let moment: Mat3 = area.iter().zip(&part.position).map(|(n, x)| x * n.transpose()).sum();
+        let volume: f64 = part.volume.iter().sum();
+        assert!((moment - volume * Mat3::identity()).norm() < 1e-12);
+        let kept = |x: &&Vec3| (0..3).all(|axis| !planes[axis] || x[axis] > -1e-9);
+        let of_whole: Vec<&Vec3> = whole.position.iter().filter(kept).collect();
+        assert_eq!(part.len(), of_whole.len());
+        let apart = |x: &Vec3| of_whole.iter().map(|y| (*y - x).norm()).fold(f64::INFINITY, f64::min);
+        let worst = part.position.iter().map(apart).fold(0.0, f64::max);
+        // vertices of the file are sines and cosines in double precision, projected some 100 times
+        assert!(worst < 1e-10, "{planes:?}: {worst}");
+    }
+}
+
 fn scene(shape: &str, files: Memory, more: &str) -> Scene {
     let text = format!(
         "tissue 1
@@ -199,6 +236,29 @@ fn hexahedra_of_a_file_are_the_particles_they_were_written_from() {
     assert!(worst < 2e-8 * 300.0, "{worst}");
 }
 
+/// The block as one eighth of another, twice as large in all directions: its least ends are the planes of symmetry.
+#[test]
+fn hexahedra_of_a_file_are_the_part_beyond_planes_of_symmetry() {
+    let (files, _) = written(true);
+    let more = "symmetry { planes = [x, y, z] }
+                traction part.xmax { value = [300 Pa, 0 Pa, 0 Pa] }
+                record whole { volume = volume  every = 1 ms }
+                run { until = 20 ms  loading = quasi_static  damping = 2000 s^-1  momentum_dissipation = off }"
+        .replace("  record", "\n record");
+    let scene = scene("vtu(\"block.vtu\", scale = 1 mm)", files, &more);
+    let mut simulation = Simulation::new(&scene, &Plan::new(&scene)).expect("the scene can be set up");
+    while !simulation.step_towards(scene.run.until).expect("the scene runs") {}
+    let body = &simulation.bodies()[0];
+    let names: Vec<&str> = body.particles.faces.iter().map(|face| face.name.as_str()).collect();
+    assert_eq!(names, ["symmetry_x", "symmetry_y", "symmetry_z", "xmax", "ymax", "zmax"]);
+    let traction = Mat3::from_diagonal(&Vec3::new(300.0, 0.0, 0.0));
+    let worst = (0..body.len()).map(|a| (body.stress(a) - traction).norm()).fold(0.0, f64::max);
+    assert!(worst < 2e-8 * 300.0, "{worst}");
+    let whole = totals(simulation.bodies(), &scene.symmetry).volume;
+    let bar = body.f(0).determinant() * 8.0 * 36e-9;
+    assert!((whole / bar - 1.0).abs() < 1e-8, "{whole} {bar}");
+}
+
 #[test]
 fn points_with_volumes_move_but_have_no_areas() {
     let (files, _) = written(false);
@@ -219,4 +279,64 @@ fn points_with_volumes_move_but_have_no_areas() {
     let start = |a: usize| Vec3::new(1.0, 30.0 * body.particles.position[a].x, 0.0);
     let (before, after) = (weighed(&start), weighed(&|a| body.v[a].vector()));
     assert!((after - before).norm() < 1e-13 * before.norm(), "{before} {after}");
+}
+
+/// A file of triangles.
+fn stl(triangles: &[Triangle]) -> Memory {
+    let corner = |x: &Vec3| format!("vertex {:e} {:e} {:e}\n", x.x, x.y, x.z);
+    let facet = |t: &Triangle| {
+        let corners: String = t.iter().map(corner).collect();
+        format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
+    };
+    let text: String = triangles.iter().map(facet).collect();
+    Memory { files: BTreeMap::from([("part.stl".into(), format!("solid part\n{text}endsolid part\n"))]) }
+}
+
+/// Reference positions and displacements of a cylinder of triangles, `size` wide and half as high, gripped below and
+/// pulled: the grip hinders its narrowing.
+fn pulled(symmetry: &str, size: &str) -> Vec<(Vec3, Vec3)> {
+    let more = format!(
+        "{symmetry}
+  hold part.zmin
+  traction part.zmax {{ value = [0 kPa, 0 kPa, ramp(0 kPa -> 10 kPa, over = 5 ms)] }}
+  run {{ until = 20 ms  loading = quasi_static  damping = 1500 s^-1  momentum_dissipation = off }}"
+    );
+    let scene = scene(&format!("stl(\"part.stl\", scale = {size})"), stl(&cylinder()), &more);
+    let mut simulation = Simulation::new(&scene, &Plan::new(&scene)).expect("the scene can be set up");
+    while !simulation.step_towards(scene.run.until).expect("the scene runs") {}
+    let body = &simulation.bodies()[0];
+    let moved = |a: usize| (body.particles.position[a], body.x[a].vector() - body.particles.position[a]);
+    (0..body.len()).map(moved).collect()
+}
+
+/// Gradients beside a plane of symmetry are one-sided there and central in the whole: both are of second order, so the
+/// two differ by that, and by no more than the whole from itself on a finer lattice.
+#[test]
+fn a_quarter_of_a_pulled_cylinder_moves_as_the_whole() {
+    let quarter = "symmetry { planes = [x, y] }";
+    // root mean square over the nodes, over the largest displacement
+    let apart = |part: &[(Vec3, Vec3)], whole: &[(Vec3, Vec3)]| {
+        let largest = whole.iter().map(|(_, u)| u.norm()).fold(0.0, f64::max);
+        let square = |(x, u): &(Vec3, Vec3)| {
+            let distance = |(y, _): &&(Vec3, Vec3)| (y - x).norm();
+            let near = whole.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("nodes");
+            assert!(distance(&near) < 1e-12, "{x} is no node of the whole");
+            (u - near.1).norm_squared() / (largest * largest)
+        };
+        (part.iter().map(square).sum::<f64>() / part.len() as f64).sqrt()
+    };
+    // over the height: mean stretch of the axis
+    let stretch = |of: &[(Vec3, Vec3)]| {
+        let top = of.iter().map(|(x, _)| x.z).fold(0.0, f64::max);
+        let end = of.iter().find(|(x, _)| x.xy().norm() < 1e-9 && x.z == top).expect("a node on the axis");
+        end.1.z / top
+    };
+    let (coarse, fine) = (pulled("", "4 mm"), pulled("", "8 mm"));
+    let (part, fine_part) = (pulled(quarter, "4 mm"), pulled(quarter, "8 mm"));
+    let (far, near) = (apart(&part, &coarse), apart(&fine_part, &fine));
+    assert!(near < 0.005 && near < far / 2_f64.powf(1.5), "{far} {near}");
+    let own = (stretch(&fine) - stretch(&coarse)).abs();
+    for (part, whole) in [(&part, &coarse), (&fine_part, &fine)] {
+        assert!((stretch(part) - stretch(whole)).abs() < own, "{} {} {own}", stretch(part), stretch(whole));
+    }
 }

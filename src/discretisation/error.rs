@@ -84,6 +84,20 @@ pub enum DiscretisationError {
         /// Least and greatest coordinate of the shape along the axis, m.
         extent: (f64, f64),
     },
+    /// Hexahedra of a file do not end in the plane of symmetry.
+    PlaneNotAnEnd {
+        /// Axis of its normal.
+        axis: usize,
+        /// Its coordinate, m.
+        at: f64,
+        /// The least coordinate of the file's points, m.
+        end: f64,
+    },
+    /// Points without cells have no volume on either side of a plane.
+    PlaneThroughPoints {
+        /// Axis of the plane's normal.
+        axis: usize,
+    },
     /// More nodes than indices and memory allow.
     TooManyParticles {
         /// How many the spacing asks for.
@@ -188,6 +202,21 @@ impl fmt::Display for DiscretisationError {
                  to {high:.4e} m",
                 ["x", "y", "z"][*axis]
             ),
+            Self::PlaneNotAnEnd { axis, at, end } => {
+                let axis = ["x", "y", "z"][*axis];
+                write!(
+                    f,
+                    "hexahedra of a file are the part beyond a plane of symmetry: {axis} = {at:.4e} m must be their \
+                     end `{axis}min`, a plane face, but they reach down to {end:.4e} m"
+                )
+            }
+            Self::PlaneThroughPoints { axis } => {
+                write!(
+                    f,
+                    "points without cells have no plane of symmetry normal to {}",
+                    ["x", "y", "z"][*axis]
+                )
+            }
             Self::TooManyParticles { count, limit } => {
                 write!(f, "the spacing asks for {count:.3e} particles, at most {limit} are accepted")
             }

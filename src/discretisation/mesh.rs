@@ -51,7 +51,7 @@ impl Mesh {
         let high = node.iter().fold(Vec3::repeat(f64::NEG_INFINITY), |high, x| high.sup(x));
         let mesh = Self { node, cell, low, high };
         // cells turned inside out are found here, where the file is read
-        mesh.particles((high - low).norm())?;
+        mesh.particles((high - low).norm(), [None; 3])?;
         Ok(mesh)
     }
 
@@ -83,8 +83,34 @@ impl Mesh {
     }
 
     /// The nodes as particles, in the order of the file so that results can be laid beside it.
-    pub(super) fn particles(&self, spacing: f64) -> Result<Particles, DiscretisationError> {
+    ///
+    /// A plane of symmetry is the plane end of least coordinate: the file has the part beyond it.
+    pub(super) fn particles(
+        &self,
+        spacing: f64,
+        symmetry: [Option<f64>; 3],
+    ) -> Result<Particles, DiscretisationError> {
+        const ENDS: [(&str, &str); 3] =
+            [("xmin", "symmetry_x"), ("ymin", "symmetry_y"), ("zmin", "symmetry_z")];
+        for (axis, at) in symmetry.into_iter().enumerate() {
+            let Some(at) = at else { continue };
+            if !self.ends_in(axis, at) {
+                return Err(DiscretisationError::PlaneNotAnEnd { axis, at, end: self.low[axis] });
+            }
+        }
+        let name = |quad: &[u32; 4]| {
+            let name = self.name(quad);
+            let cut = (0..3).find(|&axis| symmetry[axis].is_some() && ENDS[axis].0 == name);
+            cut.map_or(name, |axis| ENDS[axis].1).to_owned()
+        };
         let grid = Grid { node: self.node.clone(), cell: self.cell.clone() };
-        grid.into_particles(spacing, |quad| self.name(quad).to_owned())
+        grid.into_particles(spacing, name)
+    }
+
+    /// Whether the plane `X_axis = at` is the mesh's end of least coordinate, and some of its sides lie in it.
+    pub(super) fn ends_in(&self, axis: usize, at: f64) -> bool {
+        let end = ["xmin", "ymin", "zmin"][axis];
+        (self.low[axis] - at).abs() <= PLANE * (self.high - self.low).norm()
+            && self.face_names().contains(&end)
     }
 }

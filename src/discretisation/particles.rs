@@ -47,8 +47,8 @@ impl Particles {
     /// | `symmetry` | planes normal to x, y, z; the part of greater coordinates is kept | m |
     /// | `jitter` | bound of each component of the nodes' random displacement, in shortest edges at the node | – |
     ///
-    /// A surface of triangles and hexahedra from a file have no planes of symmetry, and hexahedra keep their nodes:
-    /// of those the spacing only measures the smoothing length.
+    /// Hexahedra from a file keep their nodes: of those the spacing only measures the smoothing length, and a plane of
+    /// symmetry is the end the file gives them.
     ///
     /// The displacement is the same in every run. A face cut by a plane is named `symmetry_x`,
     /// `symmetry_y` or `symmetry_z` and carries its areas like every other.
@@ -62,9 +62,9 @@ impl Particles {
         jitter: f64,
     ) -> Result<Self, DiscretisationError> {
         match shape {
-            Shape::Solid(solid) => solid.particles(spacing, jitter),
-            Shape::Mesh(mesh) => mesh.particles(spacing),
-            Shape::Points(points) => points.particles(spacing),
+            Shape::Solid(solid) => solid.particles(spacing, symmetry, jitter),
+            Shape::Mesh(mesh) => mesh.particles(spacing, symmetry),
+            Shape::Points(points) => points.particles(spacing, symmetry),
             _ => shape.prism()?.particles(spacing, symmetry, jitter),
         }
     }

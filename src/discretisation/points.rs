@@ -49,7 +49,14 @@ impl Points {
 
     /// The points as particles, in the order of the file. The areas of their faces only weigh the points in means:
     /// each is `V^⅔` along the axis.
-    pub(super) fn particles(&self, spacing: f64) -> Result<Particles, DiscretisationError> {
+    pub(super) fn particles(
+        &self,
+        spacing: f64,
+        symmetry: [Option<f64>; 3],
+    ) -> Result<Particles, DiscretisationError> {
+        if let Some(axis) = symmetry.iter().position(Option::is_some) {
+            return Err(DiscretisationError::PlaneThroughPoints { axis });
+        }
         let tolerance = PLANE * (self.high - self.low).norm();
         let face = |k: usize| {
             let (axis, greater) = (k / 2, k % 2 == 1);

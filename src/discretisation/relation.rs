@@ -36,14 +36,23 @@ impl Shape {
         }
     }
 
-    /// Whether the plane `X_axis = at` mirrors the shape onto itself.
+    /// Whether the plane `X_axis = at` mirrors the shape onto itself, hexahedra from a file onto their other half.
     pub fn is_symmetric(&self, axis: usize, at: f64) -> bool {
-        // a file's nodes and triangles seldom are, and a half is as easily written to a file as the whole
-        if matches!(self, Self::Solid(_) | Self::Mesh(_) | Self::Points(_)) {
-            return false;
+        match self {
+            Self::Solid(solid) => solid.is_symmetric(axis, at),
+            Self::Mesh(mesh) => mesh.ends_in(axis, at),
+            Self::Points(_) => false,
+            _ => {
+                let (low, high) = self.bounds();
+                self.alike(&self.mirrored(axis, at), ALIKE * (high - low).norm())
+            }
         }
-        let (low, high) = self.bounds();
-        self.alike(&self.mirrored(axis, at), ALIKE * (high - low).norm())
+    }
+
+    /// The only coordinate of a plane of symmetry that hexahedra from a file can have, their least: the file has the part
+    /// beyond it. `None` of other shapes.
+    pub fn end_plane(&self, axis: usize) -> Option<f64> {
+        if let Self::Mesh(mesh) = self { Some(mesh.bounds().0[axis]) } else { None }
     }
 
     fn mirrored(&self, axis: usize, at: f64) -> Self {

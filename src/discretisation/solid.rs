@@ -1,9 +1,10 @@
 //! Bodies bounded by triangles, as a file gives them.
 //!
-//! Owns the closed surface: whether it is closed, its inside, nearest points, plane ends and sharp edges. Knows no
-//! grid and no file format.
+//! Owns the closed surface: whether it is closed, its inside, plane ends, sharp edges and mirror images. Knows no grid
+//! and no file format.
 
 use super::error::DiscretisationError;
+use super::nearest::Nearest;
 use crate::tensor::Vec3;
 use std::collections::BTreeMap;
 
@@ -13,13 +14,16 @@ const WELD: f64 = 1e-7;
 /// Cosine of the angle between two triangles, 40°, below which their common edge is a sharp one.
 const SHARP: f64 = 0.766;
 
+/// Share of the body's size by which a surface and its mirror image may differ.
+const ALIKE: f64 = 1e-3;
+
 /// A closed surface of triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     /// Corners, counter-clockwise seen from outside, m.
-    triangle: Vec<[Vec3; 3]>,
+    pub(super) triangle: Vec<[Vec3; 3]>,
     /// Edges at which the surface bends by more than 40°, m.
-    sharp: Vec<[Vec3; 2]>,
+    pub(super) sharp: Vec<[Vec3; 2]>,
     low: Vec3,
     high: Vec3,
     /// Whether each end of each axis, least first, is a plane face.
@@ -90,6 +94,19 @@ impl Solid {
         self.flat[axis][usize::from(greater)]
     }
 
+    /// Whether the mirror image of every vertex in the plane `X_axis = at` lies on the surface, to a thousandth of the
+    /// size: triangles of a symmetric body seldom are symmetric, and cut that much off it themselves.
+    pub(super) fn is_symmetric(&self, axis: usize, at: f64) -> bool {
+        let size = (self.high - self.low).norm();
+        let nearest = Nearest::new(self, size / 32.0);
+        let image = |x: &Vec3| {
+            let mut image = *x;
+            image[axis] = 2.0 * at - x[axis];
+            image
+        };
+        self.triangle.iter().flatten().all(|x| nearest.surface(&image(x), ALIKE * size).is_some())
+    }
+
     /// Coordinates at which a line along x enters and leaves the solid, ascending.
     ///
     /// A line through an edge may miss or hit both of its triangles; whoever asks moves it a little.
@@ -107,109 +124,6 @@ impl Solid {
         found.sort_by(f64::total_cmp);
         found
     }
-}
-
-/// Nearest points of a solid's surface and of its sharp edges, by bins.
-#[derive(Debug)]
-pub(super) struct Nearest<'a> {
-    solid: &'a Solid,
-    triangles: Bins,
-    edges: Bins,
-}
-
-impl<'a> Nearest<'a> {
-    pub fn new(solid: &'a Solid, spacing: f64) -> Self {
-        let boxes = |points: &[Vec3]| {
-            let start = (points[0], points[0]);
-            points.iter().fold(start, |(low, high), x| (low.inf(x), high.sup(x)))
-        };
-        let triangles = Bins::new(solid.low, spacing, solid.triangle.iter().map(|t| boxes(t)));
-        let edges = Bins::new(solid.low, spacing, solid.sharp.iter().map(|e| boxes(e)));
-        Self { solid, triangles, edges }
-    }
-
-    /// The nearest point of the surface within `reach`.
-    pub fn surface(&self, x: &Vec3, reach: f64) -> Option<Vec3> {
-        self.triangles.nearest(x, reach, |k| on_triangle(x, &self.solid.triangle[k]))
-    }
-
-    /// The nearest point of a sharp edge within `reach`.
-    pub fn edge(&self, x: &Vec3, reach: f64) -> Option<Vec3> {
-        self.edges.nearest(x, reach, |k| on_segment(x, &self.solid.sharp[k]))
-    }
-}
-
-/// Things by the cubes of one edge length they touch.
-#[derive(Debug)]
-struct Bins {
-    origin: Vec3,
-    edge: f64,
-    member: BTreeMap<[i32; 3], Vec<u32>>,
-}
-
-impl Bins {
-    fn new(origin: Vec3, edge: f64, boxes: impl Iterator<Item = (Vec3, Vec3)>) -> Self {
-        let mut bins = Self { origin, edge, member: BTreeMap::new() };
-        for (index, (low, high)) in boxes.enumerate() {
-            let (from, to) = (bins.cube(&low), bins.cube(&high));
-            for i in from[0]..=to[0] {
-                for j in from[1]..=to[1] {
-                    for k in from[2]..=to[2] {
-                        bins.member.entry([i, j, k]).or_default().push(index as u32);
-                    }
-                }
-            }
-        }
-        bins
-    }
-
-    fn cube(&self, x: &Vec3) -> [i32; 3] {
-        let at = (x - self.origin) / self.edge;
-        [0, 1, 2].map(|i| at[i].floor() as i32)
-    }
-
-    /// The nearest of the points `of` gives for members around `x`, within `reach` of it.
-    fn nearest(&self, x: &Vec3, reach: f64, of: impl Fn(usize) -> Vec3) -> Option<Vec3> {
-        let span = Vec3::repeat(reach);
-        let (from, to) = (self.cube(&(x - span)), self.cube(&(x + span)));
-        let mut best: Option<(f64, Vec3)> = None;
-        for i in from[0]..=to[0] {
-            for j in from[1]..=to[1] {
-                for k in from[2]..=to[2] {
-                    for &index in self.member.get(&[i, j, k]).into_iter().flatten() {
-                        let point = of(index as usize);
-                        let distance = (point - x).norm();
-                        if distance <= reach && best.is_none_or(|(least, _)| distance < least) {
-                            best = Some((distance, point));
-                        }
-                    }
-                }
-            }
-        }
-        best.map(|(_, point)| point)
-    }
-}
-
-fn on_segment(x: &Vec3, [a, b]: &[Vec3; 2]) -> Vec3 {
-    let along = b - a;
-    let share = ((x - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-    a + share * along
-}
-
-/// Nearest point of a triangle.
-fn on_triangle(x: &Vec3, corner: &[Vec3; 3]) -> Vec3 {
-    let [a, b, c] = corner;
-    let normal = (b - a).cross(&(c - a));
-    let square = normal.norm_squared();
-    if square > 0.0 {
-        let inside = |from: &Vec3, to: &Vec3| (to - from).cross(&(x - from)).dot(&normal) >= 0.0;
-        if inside(a, b) && inside(b, c) && inside(c, a) {
-            return x - normal * ((x - a).dot(&normal) / square);
-        }
-    }
-    let edges = [[*a, *b], [*b, *c], [*c, *a]].map(|edge| on_segment(x, &edge));
-    let distance = |p: &Vec3| (p - x).norm_squared();
-    edges.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q))).unwrap_or(*a)
 }
 
 /// Vertices without repetition, and the triangles by their indices.

@@ -8,6 +8,7 @@ use super::super::model::{Body, SymmetryPlane};
 use super::super::words::{BODY, SYMMETRY};
 use super::shapes::shape;
 use super::stage::Stage;
+use crate::discretisation::Shape;
 use crate::syntax::{Block, Code};
 use crate::tensor::Vec3;
 use crate::unit::{Dimension, Quantity};
@@ -154,20 +155,44 @@ impl Stage<'_> {
         let (low, high) = all.ok_or(Reported)?;
         for (axis, word) in ["x", "y", "z"].into_iter().enumerate() {
             if planes.contains(&word) {
-                let at = 0.5 * (low[axis] + high[axis]);
+                let end = self.scene.bodies.iter().find_map(|body| body.shape.end_plane(axis));
+                let at = end.unwrap_or(0.5 * (low[axis] + high[axis]));
                 if let Some(body) = self.scene.bodies.iter().find(|body| !body.shape.is_symmetric(axis, at)) {
-                    let message = format!(
-                        "`{}` is not symmetric about the plane {word} = {}",
-                        body.name,
-                        Quantity::new(at, Dimension::LENGTH)
-                    );
+                    let plane = format!("{word} = {}", Quantity::new(at, Dimension::LENGTH));
+                    let (message, help) = not_symmetric(body, word, &plane);
                     let span = site.file.span(site.id);
-                    let label = "through the centre of the bodies";
-                    return Err(self.mistakes.report(&site.file, Code::Conflict, span, message, label, None));
+                    let label = match end {
+                        Some(_) => "where the hexahedra of a file end",
+                        None => "through the centre of the bodies",
+                    };
+                    let help = Some(help);
+                    return Err(self.mistakes.report(&site.file, Code::Conflict, span, message, label, help));
                 }
                 self.scene.symmetry[axis] = Some(SymmetryPlane { at, place: file.place(&block.kind.span) });
             }
         }
         Ok(())
+    }
+}
+
+/// Why a plane is none of symmetry of a body, and what to write.
+fn not_symmetric(body: &Body, word: &str, plane: &str) -> (String, String) {
+    let name = &body.name;
+    let without = format!("leave {word} out of `planes`");
+    match body.shape {
+        Shape::Mesh(_) => (
+            format!(
+                "`{name}` is read from hexahedra, which must be the part beyond the plane of symmetry, but they do not \
+                 end with a plane face `{word}min` at {plane}"
+            ),
+            format!(
+                "write the half of greater {word} to the file, its least {word} one plane face, or {without}"
+            ),
+        ),
+        Shape::Points(_) => (
+            format!("`{name}` is read from points without cells, which a plane of symmetry cannot cut"),
+            format!("read hexahedra, or {without}"),
+        ),
+        _ => (format!("`{name}` is not symmetric about the plane {plane}"), without),
     }
 }

@@ -65,7 +65,7 @@ const AXES: &[Choice] = &[
 /// `symmetry { … }`
 pub(in crate::scene) static SYMMETRY: Declaration = Declaration {
     word: "symmetry",
-    doc: "Planes of symmetry through the centre of the body; the part of greater coordinates is modelled, the whole body is recorded.",
+    doc: "Planes of symmetry through the centre of the body, or where the hexahedra of a file end; the part of greater coordinates is modelled, the whole body is recorded.",
     within: Some("scene"),
     target: Target::Absent,
     keys: &[Parameter {

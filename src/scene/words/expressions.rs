@@ -127,13 +127,13 @@ pub(in crate::scene) static FILE_SHAPES: &[Word] = &[
         "stl",
         "stl(\"part.stl\", scale = 1 mm)",
         SHAPE,
-        "What a closed surface of triangles encloses, text or binary, in lengths of `scale`; nodes lie on the surface and on its sharp edges. Faces: xmin to zmax where an end is plane, all else is surface.",
+        "What a closed surface of triangles encloses, text or binary, in lengths of `scale`; nodes lie on the surface and on its sharp edges. A plane of symmetry, which the surface must have to a thousandth of its size, is a layer of nodes. Faces: xmin to zmax where an end is plane, all else is surface.",
     ),
     word(
         "vtu",
         "vtu(\"mesh.vtu\", scale = 1 mm)",
         SHAPE,
-        "Hexahedra of a VTK file, every node a particle; `spacing` then only measures the smoothing length. Points without cells need `volume = \"V\"`, a point array in cubes of `scale`, and integration_consistency = off. Faces: xmin to zmax where an end is plane, all else is surface.",
+        "Hexahedra of a VTK file, every node a particle; `spacing` then only measures the smoothing length. With `symmetry` the file has the part of greater coordinates and ends in the plane, a face xmin, ymin or zmin. Points without cells need `volume = \"V\"`, a point array in cubes of `scale`, and integration_consistency = off. Faces: xmin to zmax where an end is plane, all else is surface.",
     ),
 ];
 
