@@ -113,6 +113,18 @@ fn every_committed_figure_is_drawn_again_from_its_tables_to_the_last_byte() {
     assert!(differing.is_empty(), "these are not what their tables say: {}", differing.join(", "));
 }
 
+/// Letters are 16 px and more, so a page of 640 px has them at 6 pt when it is printed 85 mm wide.
+#[test]
+fn every_figure_is_legible_at_the_width_of_a_column() {
+    for figure in figures() {
+        let name = format!("figures/{}.svg", stem(&figure));
+        let text = fs::read_to_string(&name).expect("a committed figure");
+        let width =
+            text.split("width=\"").nth(1).and_then(|rest| rest.split('"').next()?.parse::<u32>().ok());
+        assert!(width.is_some_and(|width| width <= 640), "{name} is {width:?} px wide");
+    }
+}
+
 #[test]
 fn another_number_in_a_table_is_another_figure() {
     let figures = figures();

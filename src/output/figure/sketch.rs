@@ -79,8 +79,8 @@ impl Dimension {
     fn label(&self) -> String {
         let length = libm::hypot(self.to.0 - self.from.0, self.to.1 - self.from.1);
         let unit = scaled("m", length);
-        let drawn = length / super::axis::ten(1, unit.exponent);
         // as many places as the number has, three at most
+        let drawn = round_to(length / super::axis::ten(1, unit.exponent), 3);
         let places = (0..3).find(|&n| (drawn - round_to(drawn, n)).abs() < 1e-9 * drawn.abs()).unwrap_or(3);
         format!("{} {} {}", self.text, decimal(drawn, places), unit.text).trim().to_owned()
     }
@@ -219,6 +219,8 @@ mod tests {
         assert_eq!(label((0.0, 4.0), ""), "4 m");
         assert_eq!(label((0.033, 0.0), "gauge"), "gauge 33 mm");
         assert_eq!(label((3e-3, 4.123e-3), ""), "5.099 mm");
+        // the diagonal of 0.919 m by 0.919 m
+        assert_eq!(label((0.919, 0.919), ""), "1.3 m");
     }
 
     #[test]
