@@ -299,3 +299,51 @@ fn verify_goes_on_where_the_set_up_of_a_claim_panics_and_ends_with_1() {
     let page = fs::read_to_string(&html).expect("written");
     assert!(page.contains(cause) && page.contains("<h2>What fails</h2>"));
 }
+
+/// What only the particles show is still a mistake of the file: exit code 2, with its place.
+#[test]
+fn what_cannot_be_set_up_is_wrong_input_and_has_a_place() {
+    let folder = folder("setup");
+    let file = folder.join("setup.tissue");
+    let scene = |fibre: &str, shape: &str, rest: &str| {
+        format!(
+            "tissue 1
+import std.energies {{ goh, vol_ogden2 }}
+material wall {{
+  energy  = goh(C = 7 kPa, k1 = 1 MPa, k2 = 5, kappa = 0.1) + vol_ogden2(D = 1e-6 Pa^-1)
+  density = 1000 kg/m^3
+  fibre a = {fibre}
+}}
+scene s {{
+  body b {{ shape = {shape}  spacing = 0.5 mm  material = wall }}
+  {rest}
+  run {{ until = 1 ms }}
+}}
+"
+        )
+    };
+    let cases = [
+        (scene("[-Y/r, X/r, 0]", "box(1 mm, 1 mm, 1 mm)", ""), "has no value", "setup.tissue:9:3"),
+        (
+            scene(
+                "[1, 0, 0]",
+                "cylinder(radius = 1 mm, height = 1 mm) - cylinder(radius = 2 mm, height = 1 mm)",
+                "",
+            ),
+            "no particle lies in the shape",
+            "setup.tissue:9:3",
+        ),
+        (
+            scene("[1, 0, 0]", "box(1 mm, 1 mm, 1 mm)", "pull b.xmax { displacement = 1 mm  grip = rigid }"),
+            "starts with a displacement",
+            "setup.tissue:10:3",
+        ),
+    ];
+    for (scene, told, place) in cases {
+        std::fs::write(&file, scene).expect("a folder of our own");
+        let output = tissue(&["run", path(&file), "--out", path(&folder.join("out")), "--overwrite"]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(told) && said.contains(place), "{said}");
+    }
+}

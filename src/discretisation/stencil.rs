@@ -77,6 +77,9 @@ impl Stencils {
         if !(smoothing > 0.0 && smoothing < 10.0) {
             return Err(DiscretisationError::BadSmoothing { smoothing });
         }
+        if particles.position.is_empty() {
+            return Err(DiscretisationError::Empty { spacing: particles.spacing });
+        }
         if consistency != Consistency::Kernel && particles.cells.is_empty() {
             return Err(DiscretisationError::NoAreas);
         }
@@ -138,6 +141,19 @@ mod tests {
     fn block(jitter: f64) -> Particles {
         let shape = Shape::Box { min: Vec3::new(-0.1, 0.0, 0.2), max: Vec3::new(0.9, 0.6, 0.4) };
         Particles::lattice(&shape, 0.1, [None, Some(0.2), None], jitter).unwrap()
+    }
+
+    #[test]
+    fn a_shape_without_a_particle_is_refused_whatever_the_consistency() {
+        let disc = |radius| Shape::Cylinder { axis: 2, centre: Vec3::zeros(), radius, height: 1.0 };
+        for hole in [1.99, 3.0] {
+            let shape = Shape::Difference(Box::new(disc(2.0)), vec![disc(hole)]);
+            let none = Particles::lattice(&shape, 0.5, [None, None, None], 0.0).unwrap();
+            for consistency in [Consistency::Kernel, Consistency::Integration] {
+                let error = Stencils::build(&none, Kernel::WendlandC2, 1.01, consistency).unwrap_err();
+                assert_eq!(error, DiscretisationError::Empty { spacing: none.spacing });
+            }
+        }
     }
 
     #[test]

@@ -74,6 +74,9 @@ impl RunError {
                     | SolveError::Unsupported { .. }
                     | SolveError::Jump { .. }
                     | SolveError::NotSymmetric { .. }
+                    | SolveError::DirectionNotUnit { .. }
+                    | SolveError::NotBonded { .. }
+                    | SolveError::BondedApart { .. }
             )
         };
         match self {
@@ -90,7 +93,24 @@ impl RunError {
     pub fn place<'a>(&self, scene: &'a Scene) -> Option<&'a Place> {
         let body = |name: &str| scene.bodies.iter().find(|body| body.name == name);
         match self {
-            Self::Solve(SolveError::Discretisation { body: name, .. }) => body(name).map(|body| &body.place),
+            Self::Solve(
+                SolveError::Discretisation { body: name, .. }
+                | SolveError::DirectionNotUnit { body: name, .. }
+                | SolveError::BondedApart { first: name, .. },
+            ) => body(name).map(|body| &body.place),
+            Self::Solve(SolveError::Jump { word, line, .. }) => {
+                let mut places =
+                    scene.prescribed.iter().filter(|one| one.word == *word).map(|one| &one.place);
+                places.find(|place| place.line == *line)
+            }
+            Self::Solve(SolveError::NotBonded { .. }) if scene.bonds.len() == 1 => {
+                scene.bonds.first().map(|bond| &bond.place)
+            }
+            Self::Solve(
+                SolveError::Unsupported { .. }
+                | SolveError::NotSymmetric { .. }
+                | SolveError::NotBonded { .. },
+            ) => Some(&scene.place),
             Self::TooManySamples { name, .. } => {
                 let records = scene.records.iter().map(|record| (&record.name, &record.place));
                 let frames = scene.frames.iter().map(|frames| (&frames.name, &frames.place));
