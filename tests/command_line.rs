@@ -338,6 +338,16 @@ scene s {{
             "starts with a displacement",
             "setup.tissue:10:3",
         ),
+        (
+            scene("[1, 0, 0]", "box(1 mm, 1 mm, 1 mm)", "motion { x = [-X, Y, Z] }"),
+            "turns the body inside out",
+            "setup.tissue:8:7",
+        ),
+        (
+            scene("[1, 0, 0]", "box(1 mm, 1 mm, 1 mm)", "motion { x = [X * (1 - t/0.5 ms), Y, Z] }"),
+            "at t = 7.1000e-4 s",
+            "setup.tissue:8:7",
+        ),
     ];
     for (scene, told, place) in cases {
         std::fs::write(&file, scene).expect("a folder of our own");

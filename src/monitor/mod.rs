@@ -19,6 +19,6 @@ pub use involution::{Involutions, curl_and_divergence, involutions};
 pub use motion::{FieldErrors, MotionErrors, motion_errors};
 pub use point::Interpolation;
 pub use probe::{Observer, ProbeError};
-pub use residual::{largest_residual, residual};
+pub use residual::{RESIDUAL_MOMENT, largest_residual, residual};
 pub use roughness::roughness;
 pub use totals::{Totals, totals};

@@ -10,9 +10,11 @@ use crate::solver::BodyState;
 use crate::tensor::{Mat3, Vec3};
 use nalgebra::SMatrix;
 
-/// Where in the box around a body its motion is tested, and when within the run: no symmetry's place.
+/// Where in the box around a body its motion is tested: no symmetry's place.
 const PLACE: [f64; 3] = [0.43, 0.57, 0.38];
-const MOMENT: f64 = 0.71;
+
+/// When a motion is tested, as a share of the run: no symmetry's time.
+pub const RESIDUAL_MOMENT: f64 = 0.71;
 
 /// What the exact motion of a body leaves of the momentum balance.
 ///
@@ -35,7 +37,7 @@ pub fn residual(body: &BodyState, until: f64) -> f64 {
     let (low, high) = body.particles.position.iter().fold(start, |(low, high), x| (low.inf(x), high.sup(x)));
     let extent = high - low;
     let place = low + extent.component_mul(&Vec3::from(PLACE));
-    let time = MOMENT * until;
+    let time = RESIDUAL_MOMENT * until;
     let probe = Probe { body, position: &exact.position, extent };
     let inertia = body.density * probe.acceleration(&place, time, 0.2 * until);
     let divergence = probe.divergence(&place, time);

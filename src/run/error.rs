@@ -5,7 +5,7 @@ use crate::energy::EnergyError;
 use crate::monitor::ProbeError;
 use crate::output::{FigureError, FrameError, TableError};
 use crate::scene::{Place, Scene};
-use crate::solver::SolveError;
+use crate::solver::{Cause, SolveError};
 use std::fmt;
 use std::io;
 use std::path::PathBuf;
@@ -31,6 +31,11 @@ pub enum RunError {
         drive: String,
         /// Why not; none if its response has no finite derivative.
         cause: Option<Box<DriveError>>,
+    },
+    /// An exact motion has no stress or no body force inside a body.
+    Motion {
+        /// When, s.
+        time: f64,
     },
     /// A record asks for a place that is not there.
     Probe(ProbeError),
@@ -77,10 +82,13 @@ impl RunError {
                     | SolveError::DirectionNotUnit { .. }
                     | SolveError::NotBonded { .. }
                     | SolveError::BondedApart { .. }
+                    | SolveError::NonPositiveJacobian { cause: Cause::ImproperMotion, .. }
+                    | SolveError::NotFinite { cause: Cause::ImproperMotion, .. }
             )
         };
         match self {
             Self::Solve(cause) => of_scene(cause),
+            Self::Motion { .. } => true,
             Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
             Self::FitStart { .. } => true,
             Self::Table(_) | Self::Frame(_) | Self::Figure { .. } | Self::Io { .. } => false,
@@ -110,6 +118,11 @@ impl RunError {
                 SolveError::Unsupported { .. }
                 | SolveError::NotSymmetric { .. }
                 | SolveError::NotBonded { .. },
+            )
+            | Self::Motion { .. } => Some(&scene.place),
+            Self::Solve(
+                SolveError::NonPositiveJacobian { cause: Cause::ImproperMotion, .. }
+                | SolveError::NotFinite { cause: Cause::ImproperMotion, .. },
             ) => Some(&scene.place),
             Self::TooManySamples { name, .. } => {
                 let records = scene.records.iter().map(|record| (&record.name, &record.place));
@@ -135,6 +148,11 @@ impl fmt::Display for RunError {
             ),
             Self::Figure { name, cause } => write!(f, "{name}: {cause}"),
             Self::Drive(cause) => write!(f, "{cause}"),
+            Self::Motion { time } => write!(
+                f,
+                "the `motion` has no finite stress or body force inside a body at t = {time:.4e} s: its formula has no \
+                 value there or turns the body inside out"
+            ),
             Self::Probe(cause) => write!(f, "{cause}"),
             Self::TooManySamples { name, samples, most } => write!(
                 f,

@@ -7,7 +7,7 @@ use super::error::RunError;
 use super::expect::judge_all;
 use super::schedule::Schedule;
 use super::snapshot::frame;
-use crate::monitor::{Observer, largest_residual, totals};
+use crate::monitor::{Observer, RESIDUAL_MOMENT, largest_residual, totals};
 use crate::output::file::write_atomic;
 use crate::output::report::{Choice, RunStatus, TotalChange};
 use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableError, TableWriter};
@@ -183,6 +183,9 @@ fn motion_table(job: &Job<'_>, simulation: &Simulation) -> Result<Option<Table>,
     let text = "momentum balance by finite differences, relative to its terms";
     let columns = vec![TableColumn::new("t", "s", "time"), TableColumn::new("residual", "", text)];
     let residual = largest_residual(simulation.bodies(), job.scene.run.until);
+    if !residual.is_finite() {
+        return Err(RunError::Motion { time: RESIDUAL_MOMENT * job.scene.run.until });
+    }
     let rows = vec![vec![0.0, residual]];
     let table = Table { name: "motion".into(), columns, rows, provenance: job.provenance.lines() };
     if let Some(folder) = &job.folder {

@@ -20,7 +20,8 @@ pub fn failure(bodies: &[BodyState], run: &Run, step: f64, time: f64) -> Option<
     let first = |body: &BodyState| body.blocks.iter().find_map(|block| block.failure);
     let (body, found) = bodies.iter().find_map(|body| first(body).map(|found| (body, found)))?;
     let (Failure::Jacobian { particle, .. } | Failure::Stress { particle }) = found;
-    let cause = cause(body, particle, run, step);
+    let starts = time == 0.0 && body.exact.is_some();
+    let cause = if starts { Cause::ImproperMotion } else { cause(body, particle, run, step) };
     let position = body.particles.position[particle];
     let name = body.name.clone();
     let not_finite =

@@ -147,6 +147,8 @@ pub enum Cause {
     UndefinedMotion(char),
     /// A traction or body force has no value.
     UndefinedLoad,
+    /// The exact motion that the bodies start from has no value or turns them inside out.
+    ImproperMotion,
     /// Nothing stands out.
     Unknown,
 }
@@ -178,6 +180,10 @@ impl fmt::Display for Cause {
             Self::UndefinedLoad => {
                 write!(f, "a traction or body force has no finite value at this time; check its formula")
             }
+            Self::ImproperMotion => write!(
+                f,
+                "the `motion` has no finite value or gradient there or turns the body inside out; check its formula"
+            ),
             Self::Unknown => write!(
                 f,
                 "no single cause stands out; try a smaller `cfl`, a finer `spacing` or a slower load"

@@ -1,6 +1,7 @@
 //! Operators and the dimensions they join.
 
 use super::super::file::Reported;
+use super::read::read_as_unit;
 use super::{Evaluator, Leaves, Outcome, Scalar, Scope, Value};
 use crate::syntax::{BinaryOperator, Code, Diagnostic, ExprId, ExprKind, Span, UnaryOperator};
 use crate::unit::Dimension;
@@ -171,6 +172,10 @@ impl<L: Leaves> Evaluator<'_, L> {
         let diagnostic = Diagnostic::new(code, message, parts.at.clone(), "")
             .with_label(file.span(parts.left), left)
             .with_label(file.span(parts.right), right);
+        let diagnostic = match read_as_unit(&file, parts.left).or_else(|| read_as_unit(&file, parts.right)) {
+            Some(help) => diagnostic.with_help(help),
+            None => diagnostic,
+        };
         self.mistakes.push(&file, diagnostic)
     }
 

@@ -3,6 +3,7 @@
 use super::super::file::Reported;
 use super::super::words::FUNCTIONS;
 use super::arithmetic::Parts;
+use super::read::read_as_unit;
 use super::{Evaluator, Leaves, Local, Outcome, Scalar, Scope, Value};
 use crate::expression::{Comparison, Function};
 use crate::schema::nearest;
@@ -88,7 +89,8 @@ impl<L: Leaves> Evaluator<'_, L> {
             let file = Rc::clone(scope.file());
             let found = x.dimension.describe();
             let message = format!("`{}` takes a number, but its argument is {found}", name.text);
-            return Err(self.mistakes.report(&file, Code::NotANumber, file.span(id), message, found, None));
+            let help = read_as_unit(&file, id);
+            return Err(self.mistakes.report(&file, Code::NotANumber, file.span(id), message, found, help));
         }
         Ok(Value::scalar(self.graph.call(function, x.node), Dimension::NUMBER))
     }

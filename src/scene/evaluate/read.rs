@@ -120,7 +120,7 @@ impl<L: Leaves> Evaluator<'_, L> {
 }
 
 /// How to write a product with the time or the volume map whose name was read as tonne or joule: `1 kPa*t`.
-fn read_as_unit(file: &File, id: ExprId) -> Option<String> {
+pub(super) fn read_as_unit(file: &File, id: ExprId) -> Option<String> {
     let whole = file.span(id);
     let inside = |span: &Span| whole.start <= span.start && span.end <= whole.end;
     file.tree.expressions.iter().filter(|part| inside(&part.span)).find_map(|part| {
