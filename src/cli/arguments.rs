@@ -100,8 +100,8 @@ pub struct RunOptions {
 /// Options of `verify`.
 #[derive(Debug, Args)]
 pub struct VerifyOptions {
-    /// Topics: language, energies, discretisation, conservation, consistency, benchmarks, figures
-    /// (convergence and stability: no claim yet) [default: all]
+    /// Topics: language, energies, discretisation, conservation, consistency, convergence,
+    /// benchmarks, figures, stability [default: all]
     #[arg(value_name = "TOPIC")]
     pub topics: Vec<String>,
     /// Measure the claims that take minutes as well

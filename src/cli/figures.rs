@@ -59,9 +59,11 @@ pub fn figures(options: &FiguresOptions) -> Exit {
     };
     let clock = Instant::now();
     let mut exit = Exit::Fine;
+    let mut finished = 0;
     for (index, figure) in wanted.iter().enumerate() {
         let start = Instant::now();
         let made = pool.install(|| make(options, figure));
+        finished += usize::from(made.is_ok());
         match made {
             Ok(path) if !options.quiet => {
                 let (done, all) = (index + 1, wanted.len());
@@ -77,7 +79,7 @@ pub fn figures(options: &FiguresOptions) -> Exit {
         }
     }
     if !options.quiet {
-        say!("{} figures in {:.0} s", wanted.len(), clock.elapsed().as_secs_f64());
+        say!("{finished} of {} figures in {:.0} s", wanted.len(), clock.elapsed().as_secs_f64());
     }
     exit
 }
