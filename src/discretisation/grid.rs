@@ -45,6 +45,23 @@ pub(super) const EDGES: [[usize; 2]; 12] =
 /// Two-point Gauss abscissa, `1/√3`: exact to degree 3 in each variable.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
+/// The eight shape functions and their slopes at the Gauss point next to a corner of the reference cube.
+fn functions(point: [f64; 3]) -> ([f64; 8], [Vec3; 8]) {
+    let xi = point.map(|c| c * GAUSS);
+    let (mut value, mut slope) = ([0.0; 8], [Vec3::zeros(); 8]);
+    for (a, xa) in CORNERS.iter().enumerate() {
+        let t: [f64; 3] = std::array::from_fn(|i| 1.0 + xi[i] * xa[i]);
+        value[a] = 0.125 * t[0] * t[1] * t[2];
+        slope[a] = 0.125 * Vec3::new(xa[0] * t[1] * t[2], t[0] * xa[1] * t[2], t[0] * t[1] * xa[2]);
+    }
+    (value, slope)
+}
+
+/// Slopes of the eight shape functions on the reference cube at its eight Gauss points.
+pub(super) fn slopes() -> [[Vec3; 8]; 8] {
+    CORNERS.map(|point| functions(point).1)
+}
+
 /// Integrals of the eight shape functions over a hexahedron.
 ///
 /// ```text
@@ -61,14 +78,10 @@ fn cell_integrals(corner: &[Vec3; 8]) -> ([f64; 8], f64) {
     let mut integral = [0.0; 8];
     let mut least = f64::INFINITY;
     for point in CORNERS {
-        let xi = point.map(|c| c * GAUSS);
+        let (value, slope) = functions(point);
         let mut map = Mat3::zeros();
-        let mut value = [0.0; 8];
-        for (a, xa) in CORNERS.iter().enumerate() {
-            let t: [f64; 3] = std::array::from_fn(|i| 1.0 + xi[i] * xa[i]);
-            value[a] = 0.125 * t[0] * t[1] * t[2];
-            let slope = 0.125 * Vec3::new(xa[0] * t[1] * t[2], t[0] * xa[1] * t[2], t[0] * t[1] * xa[2]);
-            map += corner[a] * slope.transpose();
+        for (x, slope) in corner.iter().zip(slope) {
+            map += x * slope.transpose();
         }
         let determinant = map.determinant();
         least = least.min(determinant);

@@ -21,14 +21,18 @@ pub(super) struct Nearest<'a> {
 }
 
 impl<'a> Nearest<'a> {
+    /// Bins as large as the triangles, within a share of the spacing, which nodes are from the surface.
     pub fn new(solid: &'a Solid, spacing: f64) -> Self {
+        let area: f64 = solid.triangle.iter().map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum();
+        let size = 2.0 * libm::sqrt(area / solid.triangle.len() as f64);
+        let edge = size.clamp(spacing / 8.0, spacing);
         let boxes = |points: &[Vec3]| {
             let start = (points[0], points[0]);
             points.iter().fold(start, |(low, high), x| (low.inf(x), high.sup(x)))
         };
         let low = solid.bounds().0;
-        let triangles = Bins::new(low, spacing, solid.triangle.iter().map(|t| boxes(t)));
-        let edges = Bins::new(low, spacing, solid.sharp.iter().map(|e| boxes(e)));
+        let triangles = Bins::new(low, edge, solid.triangle.iter().map(|t| boxes(t)));
+        let edges = Bins::new(low, edge, solid.sharp.iter().map(|e| boxes(e)));
         Self { solid, triangles, edges }
     }
 
@@ -49,12 +53,16 @@ struct Bins {
     origin: Vec3,
     edge: f64,
     member: BTreeMap<[i32; 3], Vec<u32>>,
+    /// Bounds of each thing.
+    bounds: Vec<(Vec3, Vec3)>,
 }
 
 impl Bins {
     fn new(origin: Vec3, edge: f64, boxes: impl Iterator<Item = (Vec3, Vec3)>) -> Self {
-        let mut bins = Self { origin, edge, member: BTreeMap::new() };
-        for (index, (low, high)) in boxes.enumerate() {
+        let bounds: Vec<(Vec3, Vec3)> = boxes.collect();
+        let mut bins = Self { origin, edge, member: BTreeMap::new(), bounds };
+        for index in 0..bins.bounds.len() {
+            let (low, high) = bins.bounds[index];
             let (from, to) = (bins.cube(&low), bins.cube(&high));
             for i in from[0]..=to[0] {
                 for j in from[1]..=to[1] {
@@ -75,21 +83,27 @@ impl Bins {
     /// The nearest of the points `of` gives for members around `x`, within `reach` of it; of points equally near and
     /// beside each other, as on both faces of a blunt edge, the mean, so that mirror images have mirror images.
     fn nearest(&self, x: &Vec3, reach: f64, of: impl Fn(usize) -> Vec3) -> Option<Vec3> {
-        let span = Vec3::repeat(reach);
-        let (from, to) = (self.cube(&(x - span)), self.cube(&(x + span)));
+        let centre = self.cube(x);
         let mut points: Vec<(f64, Vec3)> = Vec::new();
-        for i in from[0]..=to[0] {
-            for j in from[1]..=to[1] {
-                for k in from[2]..=to[2] {
-                    for &index in self.member.get(&[i, j, k]).into_iter().flatten() {
-                        let point = of(index as usize);
-                        let distance = (point - x).norm();
-                        if distance <= reach
-                            && points.iter().all(|(least, _)| distance <= least * (1.0 + TIE))
-                        {
-                            points.retain(|(other, _)| *other <= distance * (1.0 + TIE));
-                            points.push((distance, point));
-                        }
+        let most = libm::ceil(reach / self.edge) as i32;
+        for ring in 0..=most {
+            // what is farther out lies beyond the whole cubes between
+            let between = f64::from(ring - 1) * self.edge;
+            if points.first().is_some_and(|(least, _)| least * (1.0 + TIE) < between) {
+                break;
+            }
+            for cube in shell(centre, ring) {
+                for &index in self.member.get(&cube).into_iter().flatten() {
+                    let (low, high) = &self.bounds[index as usize];
+                    let nearest = points.first().map_or(reach, |(least, _)| least * (1.0 + TIE));
+                    if (x - x.sup(low).inf(high)).norm() > nearest {
+                        continue;
+                    }
+                    let point = of(index as usize);
+                    let distance = (point - x).norm();
+                    if distance <= reach && points.iter().all(|(least, _)| distance <= least * (1.0 + TIE)) {
+                        points.retain(|(other, _)| *other <= distance * (1.0 + TIE));
+                        points.push((distance, point));
                     }
                 }
             }
@@ -105,6 +119,18 @@ impl Bins {
         }
         Some(distinct.iter().sum::<Vec3>() / distinct.len() as f64)
     }
+}
+
+/// Cubes whose farthest index from a cube's is `ring`.
+fn shell(centre: [i32; 3], ring: i32) -> impl Iterator<Item = [i32; 3]> {
+    let span = move || -ring..=ring;
+    span().flat_map(move |i| {
+        span().flat_map(move |j| {
+            // inside the shell only its two ends
+            let step = if i.abs() == ring || j.abs() == ring { 1 } else { (2 * ring).max(1) };
+            span().step_by(step as usize).map(move |k| [centre[0] + i, centre[1] + j, centre[2] + k])
+        })
+    })
 }
 
 fn on_segment(x: &Vec3, [a, b]: &[Vec3; 2]) -> Vec3 {
