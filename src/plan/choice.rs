@@ -23,12 +23,12 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         Scheme::Seed => "seed",
         Scheme::Improved => "improved",
     };
-    let origin = |key: &str| {
-        if run.written.iter().any(|written| written == key) {
-            format!("line {}", run.place.line)
-        } else {
-            format!("scheme {scheme}")
-        }
+    let written = |key: &str| run.written.iter().any(|written| written == key);
+    let origin = |key: &str| match key {
+        _ if written(key) => format!("line {}", run.place.line),
+        "cfl" if written("integrator") => format!("integrator of line {}", run.place.line),
+        "damping" | "volume_relaxation" => "the plan".into(),
+        _ => format!("scheme {scheme}"),
     };
     let mut choices = Vec::new();
     let mut add = |key: &'static str, value: String| choices.push(Choice { key, value, origin: origin(key) });

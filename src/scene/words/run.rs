@@ -119,7 +119,10 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
         Parameter {
             name: "cfl",
             kind: Kind::Quantity("number"),
-            presence: Presence::ByScheme { seed: "0.3", improved: "0.9, or 0.3 with tvd_rk2" },
+            presence: Presence::ByScheme {
+                seed: "0.3, or 0.9 with another integrator",
+                improved: "0.9, or 0.3 with tvd_rk2",
+            },
             doc: "The time step as a fraction of the time a pressure wave takes from particle to particle.",
         },
         Parameter {
