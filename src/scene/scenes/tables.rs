@@ -99,7 +99,8 @@ impl Stage<'_> {
             let help = Some("write a decimal point, not a comma, or name every column in the header".into());
             return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "", help));
         }
-        if wanted.is_empty() {
+        let all = wanted.is_empty();
+        if all {
             wanted = table
                 .header
                 .iter()
@@ -110,6 +111,13 @@ impl Stage<'_> {
         let mut dimensions = Vec::new();
         for (name, column, span) in wanted {
             let (values, dimension) = self.column(&full, &table, &column, &span)?;
+            // a column nobody named may hold anything, for nobody may read it
+            if let Some(row) = values.iter().position(|value| !value.is_finite()).filter(|_| !all) {
+                let message =
+                    format!("`{full}` has no finite number for `{column}` on line {}", table.rows[row].0);
+                let help = Some("correct that row, or leave it out".into());
+                return Err(self.mistakes.report(&file, Code::WrongForm, span, message, "", help));
+            }
             columns.push((name, values));
             dimensions.push(dimension);
         }
