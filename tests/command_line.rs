@@ -351,7 +351,9 @@ scene s {{
     ];
     for (scene, told, place) in cases {
         std::fs::write(&file, scene).expect("a folder of our own");
-        let output = tissue(&["run", path(&file), "--out", path(&folder.join("out")), "--overwrite"]);
+        let out = folder.join("out");
+        let output = tissue(&["run", path(&file), "--out", path(&out)]);
+        assert!(!out.exists(), "a run that did not begin left its folder");
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.contains(told) && said.contains(place), "{said}");

@@ -52,6 +52,13 @@ pub fn announce(folder: &Path, report: &RunReport) -> Result<(), String> {
         .map_err(|cause| format!("cannot write {}: {cause}", path.display()))
 }
 
+/// Takes the announcement of a run back that could not begin, and the folder with it where nothing else is in it.
+pub fn withdraw(folder: &Path) {
+    // what cannot be removed stays and says "unfinished", which is true
+    let _ = fs::remove_file(folder.join(REPORT));
+    let _ = fs::remove_dir(folder);
+}
+
 /// Names of the files the report of an earlier run lists, and of the frames its collections name.
 fn earlier(folder: &Path) -> Vec<String> {
     let Ok(text) = fs::read_to_string(folder.join(REPORT)) else { return Vec::new() };

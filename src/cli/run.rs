@@ -4,7 +4,7 @@ use super::Exit;
 use super::arguments::RunOptions;
 use super::drive::run_drive;
 use super::fit::run_fit;
-use super::folder::{announce, prepare};
+use super::folder::{announce, prepare, withdraw};
 use super::input::{Input, chosen, read_or_explain};
 use super::memory::fits;
 use super::progress::Bar;
@@ -129,7 +129,11 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         Err(cause) => {
             tell!("error: scene `{}`: {cause}", scene.name);
             tell_place(&cause, scene);
-            return if cause.is_input() { Exit::WrongInput } else { Exit::Failed };
+            if !cause.is_input() {
+                return Exit::Failed;
+            }
+            withdraw(folder);
+            return Exit::WrongInput;
         }
     };
     let mut exit = if report.status == RunStatus::Held { Exit::Fine } else { Exit::Failed };
