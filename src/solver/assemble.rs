@@ -30,14 +30,18 @@ pub struct Assembled {
     pub external: ExternalForces,
 }
 
-/// Assembles body number `index` of a scene.
+/// Assembles body number `index` of a scene from its nodes.
 ///
 /// # Errors
-/// If the body cannot be discretised or its material's energy cannot be compiled.
-pub fn assemble(scene: &Scene, plan: &Plan, index: usize) -> Result<Assembled, SolveError> {
+/// If the body's stencils cannot be built or its material's energy cannot be compiled.
+pub fn assemble(
+    scene: &Scene,
+    plan: &Plan,
+    index: usize,
+    mut particles: Particles,
+) -> Result<Assembled, SolveError> {
     let body = &scene.bodies[index];
     let material = &scene.materials[body.material];
-    let mut particles = discretise(scene, body)?;
     let quadratic = scene.run.consistency == Consistency::Quadratic;
     if quadratic {
         particles.balance_second_moments();

@@ -1,10 +1,13 @@
 //! Bodies that share the nodes of an interface.
 //!
-//! Owns which nodes are one, and how the forces of the bodies meet on them. Knows no material.
+//! Owns which nodes are one, and how the forces of the bodies meet on them; faces without common nodes are tied. Knows no
+//! material.
 
 use super::body::BodyState;
 use super::error::SolveError;
 use super::quad::Quad;
+use super::tie::Tie;
+use crate::discretisation::{Consistency, Particles};
 use crate::expression::Tape;
 use crate::scene::{Bond, Region, Scene};
 use crate::tensor::Vec3;
@@ -38,21 +41,59 @@ struct Cluster {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bonds {
     clusters: Vec<Cluster>,
+    ties: Vec<Tie>,
 }
 
 impl Bonds {
+    /// For each bond of a scene the tie of its faces where their nodes do not meet but they are one region.
+    ///
+    /// Gradients exact for quadratic fields need areas balanced to second degree, which those of a tie are not.
+    pub fn ties(scene: &Scene, particles: &mut [Particles]) -> Vec<Option<Tie>> {
+        let tie = |Bond { first, second, .. }: &Bond| {
+            let apart = matched(&particles.iter().collect::<Vec<_>>(), first, second).is_err();
+            let fits = scene.run.consistency != Consistency::Quadratic;
+            if apart && fits { Tie::between(particles, first, second) } else { None }
+        };
+        scene.bonds.iter().map(tie).collect()
+    }
+
     /// Finds the shared nodes of a scene's bonds and makes their positions and velocities one.
     ///
     /// # Errors
     /// [`SolveError::NotBonded`] if the nodes of neither face lie on those of the other,
     /// [`SolveError::BondedApart`] if a shared node is told to move in two ways.
-    pub fn new(scene: &Scene, bodies: &mut [BodyState]) -> Result<Self, SolveError> {
+    pub fn new(scene: &Scene, bodies: &mut [BodyState], ties: Vec<Option<Tie>>) -> Result<Self, SolveError> {
         let mut joined = Joined::default();
-        for Bond { first, second, .. } in &scene.bonds {
+        let (mut hung, mut met) = (BTreeSet::new(), BTreeSet::new());
+        for (Bond { first, second, .. }, tie) in scene.bonds.iter().zip(&ties) {
             let name = |region: &Region| format!("{}.{}", bodies[region.body].name, region.face);
-            let pairs = matched(bodies, first, second).map_err(|(unmatched, position)| {
+            // a node hangs on one face alone, and nothing else is joined to it
+            let twice = tie
+                .iter()
+                .flat_map(Tie::nodes)
+                .filter(|at| !hung.insert(*at) || met.contains(at))
+                .collect::<Vec<_>>();
+            if let Some(&(body, a)) = twice.first() {
+                let position = bodies[body].particles.position[a];
+                let (first, second) = (name(first), name(second));
+                return Err(SolveError::NotBonded { first, second, unmatched: twice.len(), position });
+            }
+            if tie.is_some() {
+                continue;
+            }
+            let particles: Vec<&Particles> = bodies.iter().map(|body| &body.particles).collect();
+            let pairs = matched(&particles, first, second).map_err(|(unmatched, position)| {
                 SolveError::NotBonded { first: name(first), second: name(second), unmatched, position }
             })?;
+            let shared = pairs
+                .iter()
+                .find(|(a, b)| hung.contains(&(first.body, *a)) || hung.contains(&(second.body, *b)));
+            if let Some((a, _)) = shared {
+                let position = bodies[first.body].particles.position[*a];
+                let (first, second) = (name(first), name(second));
+                return Err(SolveError::NotBonded { first, second, unmatched: 1, position });
+            }
+            met.extend(pairs.iter().flat_map(|(a, b)| [(first.body, *a), (second.body, *b)]));
             pairs.into_iter().for_each(|(a, b)| joined.join((first.body, a), (second.body, b)));
         }
         let clusters =
@@ -65,12 +106,15 @@ impl Bonds {
                 (bodies[body].x[a], bodies[body].v[a]) = (x, v);
             }
         }
-        Ok(Self { clusters })
+        let mut ties: Vec<Tie> = ties.into_iter().flatten().collect();
+        ties.iter_mut().try_for_each(|tie| tie.meet(bodies))?;
+        Ok(Self { clusters, ties })
     }
 
     /// Gives all members of a cluster the acceleration of their common mass; a force on a member that
     /// is led goes to the one that leads it, whose support carries it.
-    pub fn share_forces(&self, bodies: &mut [BodyState]) {
+    pub fn share_forces(&mut self, bodies: &mut [BodyState]) {
+        self.ties.iter_mut().for_each(|tie| tie.share_forces(bodies));
         for Cluster { member, share, led } in &self.clusters {
             for (axis, led) in led.iter().enumerate() {
                 let of = |bodies: &[BodyState], i: usize| -> f64 {
@@ -99,6 +143,7 @@ impl Bonds {
 
     /// Gives members the prescribed velocity of the one that leads them.
     pub fn follow(&self, bodies: &mut [BodyState]) {
+        self.ties.iter().for_each(|tie| tie.follow(bodies));
         for Cluster { member, led, .. } in &self.clusters {
             for (axis, led) in led.iter().enumerate() {
                 let Some(&leader) = led.first() else { continue };
@@ -127,15 +172,15 @@ impl Bonds {
 ///
 /// Otherwise the number of nodes left over, and the place of the first.
 fn matched(
-    bodies: &[BodyState],
+    particles: &[&Particles],
     first: &Region,
     second: &Region,
 ) -> Result<Vec<(usize, usize)>, (usize, Vec3)> {
-    let nodes = |region: &Region| bodies[region.body].particles.face(&region.face).map(|face| &face.nodes);
+    let nodes = |region: &Region| particles[region.body].face(&region.face).map(|face| &face.nodes);
     let (Some(a), Some(b)) = (nodes(first), nodes(second)) else { return Ok(Vec::new()) };
     let (few, many) = if a.len() <= b.len() { ((first, a), (second, b)) } else { ((second, b), (first, a)) };
-    let position = |region: &Region, node: u32| bodies[region.body].particles.position[node as usize];
-    let spacing = [first, second].map(|region| bodies[region.body].particles.least_spacing);
+    let position = |region: &Region, node: u32| particles[region.body].position[node as usize];
+    let spacing = [first, second].map(|region| particles[region.body].least_spacing);
     let tolerance = ONE * spacing[0].min(spacing[1]);
     // by the coordinate that differs most, so that a search looks at few
     let extent = |axis: usize| {

@@ -62,7 +62,7 @@ pub enum SolveError {
         /// Axis of the plane's normal.
         axis: char,
     },
-    /// Two faces that are bonded do not meet node by node.
+    /// Two faces that are bonded neither meet node by node nor are one plane region.
     NotBonded {
         /// The first face, `body.face`.
         first: String,
@@ -222,8 +222,9 @@ impl fmt::Display for SolveError {
             Self::NotBonded { first, second, unmatched, position: x } => write!(
                 f,
                 "`bond {first}` to `{second}`: {unmatched} nodes where the faces touch, the first at X = ({:.4e}, {:.4e}, \
-                 {:.4e}) m, lie on no node of the other; give both bodies the same spacing in the interface, faces that \
-                 begin and end on common nodes, and no jitter",
+                 {:.4e}) m, lie on no node of the other; give both bodies the same spacing in the interface, no jitter and \
+                 faces that begin and end on common nodes, or `completeness = linear` and plane faces with the same edges, \
+                 each bonded once",
                 x.x, x.y, x.z
             ),
             Self::BondedApart { first, second, axis, position: x } => write!(

@@ -23,7 +23,8 @@ mod pass;
 pub mod projection;
 mod quad;
 mod simulation;
-pub mod time_step;
+pub mod tie;
+mod time_step;
 
 pub use assemble::{compile, discretise};
 pub use body::{Block, BodyState, CHUNK, DirectionField};

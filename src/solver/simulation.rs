@@ -7,7 +7,7 @@ mod runge_kutta;
 
 use self::runge_kutta::{HEUN, SSP_RK3};
 use super::affine::{AffineMotion, affine_motions};
-use super::assemble::{Assembled, assemble};
+use super::assemble::{Assembled, assemble, discretise};
 use super::body::{BodyState, CHUNK};
 use super::bond::Bonds;
 use super::diagnosis;
@@ -75,8 +75,11 @@ impl Simulation {
         if plan.runs(Pass::MomentumDissipation) == (scene.run.momentum_dissipation == InterfaceStates::Off) {
             simulation.run.momentum_dissipation = InterfaceStates::Off;
         }
-        for index in 0..scene.bodies.len() {
-            let Assembled { state, external } = assemble(scene, plan, index)?;
+        let nodes = scene.bodies.iter().map(|body| discretise(scene, body));
+        let mut nodes = nodes.collect::<Result<Vec<_>, SolveError>>()?;
+        let ties = Bonds::ties(scene, &mut nodes);
+        for (index, particles) in nodes.into_iter().enumerate() {
+            let Assembled { state, external } = assemble(scene, plan, index, particles)?;
             let projected = plan.runs(Pass::TorqueProjection);
             let projection = if projected { Projection::new(&state, &scene.symmetry) } else { None };
             simulation.projection.push(projection);
@@ -84,7 +87,7 @@ impl Simulation {
             simulation.bodies.push(state);
             simulation.external.push(external);
         }
-        simulation.bonds = Bonds::new(scene, &mut simulation.bodies)?;
+        simulation.bonds = Bonds::new(scene, &mut simulation.bodies, ties)?;
         simulation.affine = affine_motions(scene, plan, &simulation.bodies);
         for index in 0..simulation.bodies.len() {
             let terms = simulation.force_terms(index);

@@ -11,6 +11,7 @@ mod involution;
 mod laminate;
 mod maps;
 mod pressure;
+mod tie;
 mod traction;
 
 /// Figures of these claims.
@@ -41,6 +42,7 @@ pub(crate) const CLAIMS: &[Claim] = &[
     pressure::HYDROSTATIC,
     laminate::SERIES,
     laminate::PARALLEL,
+    tie::PATCH,
     frames::TURNED,
     frames::MIRRORED,
     frames::HOMOGENEOUS,

@@ -42,7 +42,7 @@ pub(in crate::scene) static BODY: Declaration = Declaration {
 /// `bond body.face { to = other.face }`
 pub(in crate::scene) static BOND: Declaration = Declaration {
     word: "bond",
-    doc: "Makes the touching faces of two bodies move as one: their nodes lie on each other and share forces.",
+    doc: "Makes the touching faces of two bodies move as one: their nodes lie on each other and share forces, or the faces are one plane region and the nodes of the finer hang on the quadrilaterals of the coarser.",
     within: Some("scene"),
     target: Target::Face,
     keys: &[Parameter {
