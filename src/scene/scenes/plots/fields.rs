@@ -9,7 +9,7 @@ use super::super::stage::Stage;
 use super::{column_dimension, column_name, dotted};
 use crate::schema::nearest;
 use crate::syntax::{BinaryOperator, Block, Code, ExprKind};
-use crate::unit::Dimension;
+use crate::unit::{Dimension, Quantity};
 use std::rc::Rc;
 
 impl Stage<'_> {
@@ -114,7 +114,18 @@ impl Stage<'_> {
     fn moment(&mut self, members: &Members) -> Result<Moment, Reported> {
         match (members.written("time"), members.written("when")) {
             (None, None) => Ok(Moment::Last),
-            (Some(site), None) => Ok(Moment::Time(self.constant(site, "time", Dimension::TIME)?)),
+            (Some(site), None) => {
+                let time = self.constant(site, "time", Dimension::TIME)?;
+                let until = self.run.as_ref().map_or(f64::INFINITY, |run| run.until);
+                if time > until * (1.0 + 1e-12) {
+                    let said = |value| Quantity::new(value, Dimension::TIME);
+                    let message = format!("the run ends at {}, before {}", said(until), said(time));
+                    let span = site.file.span(site.id);
+                    let (code, label) = (Code::AfterEnd, "too late");
+                    return Err(self.mistakes.report(&site.file, code, span, message, label, None));
+                }
+                Ok(Moment::Time(time))
+            }
             (None, Some(site)) => self.when(site),
             (Some(_), Some(site)) => {
                 let message = "a panel has either `time` or `when`";
