@@ -26,7 +26,7 @@ impl Particles {
     /// for all quadratic `f` (for linear ones it holds already), which gradients that are exact for
     /// quadratic fields and meet the integration constraint imply. Sums of a face stay as they are. Nothing changes on a
     /// regular lattice: the trapezium rule errs by as much on opposite faces. What no area can balance is left.
-    pub fn balance_second_moments(&mut self) {
+    pub(super) fn balance_second_moments(&mut self) {
         let (low, high) = self
             .position
             .iter()

@@ -45,9 +45,8 @@ pub(super) const EDGES: [[usize; 2]; 12] =
 /// Two-point Gauss abscissa, `1/√3`: exact to degree 3 in each variable.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-/// The eight shape functions and their slopes at the Gauss point next to a corner of the reference cube.
-fn functions(point: [f64; 3]) -> ([f64; 8], [Vec3; 8]) {
-    let xi = point.map(|c| c * GAUSS);
+/// The eight shape functions and their slopes at a point of the reference cube.
+fn functions(xi: [f64; 3]) -> ([f64; 8], [Vec3; 8]) {
     let (mut value, mut slope) = ([0.0; 8], [Vec3::zeros(); 8]);
     for (a, xa) in CORNERS.iter().enumerate() {
         let t: [f64; 3] = std::array::from_fn(|i| 1.0 + xi[i] * xa[i]);
@@ -59,7 +58,28 @@ fn functions(point: [f64; 3]) -> ([f64; 8], [Vec3; 8]) {
 
 /// Slopes of the eight shape functions on the reference cube at its eight Gauss points.
 pub(super) fn slopes() -> [[Vec3; 8]; 8] {
-    CORNERS.map(|point| functions(point).1)
+    CORNERS.map(|point| functions(point.map(|c| c * GAUSS)).1)
+}
+
+/// The eight trilinear shape functions at a point `ξ` of a hexahedron, and `det(∂X/∂ξ)` there, m³.
+pub(super) fn cell_hats(corner: &[Vec3; 8], xi: [f64; 3]) -> ([f64; 8], f64) {
+    let (value, slope) = functions(xi);
+    let mut map = Mat3::zeros();
+    for (x, slope) in corner.iter().zip(slope) {
+        map += x * slope.transpose();
+    }
+    (value, map.determinant())
+}
+
+/// The four bilinear shape functions at a point of a quadrilateral, and `∂X/∂ξ × ∂X/∂η` there, m².
+pub(super) fn quad_hats(corner: &[Vec3; 4], [xi, eta]: [f64; 2]) -> ([f64; 4], Vec3) {
+    const PLACE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let (mut along_xi, mut along_eta) = (Vec3::zeros(), Vec3::zeros());
+    for (x, [s, t]) in corner.iter().zip(PLACE) {
+        along_xi += 0.25 * s * (1.0 + eta * t) * x;
+        along_eta += 0.25 * t * (1.0 + xi * s) * x;
+    }
+    (PLACE.map(|[s, t]| 0.25 * (1.0 + xi * s) * (1.0 + eta * t)), along_xi.cross(&along_eta))
 }
 
 /// Integrals of the eight shape functions over a hexahedron.
@@ -78,12 +98,7 @@ fn cell_integrals(corner: &[Vec3; 8]) -> ([f64; 8], f64) {
     let mut integral = [0.0; 8];
     let mut least = f64::INFINITY;
     for point in CORNERS {
-        let (value, slope) = functions(point);
-        let mut map = Mat3::zeros();
-        for (x, slope) in corner.iter().zip(slope) {
-            map += x * slope.transpose();
-        }
-        let determinant = map.determinant();
+        let (value, determinant) = cell_hats(corner, point.map(|c| c * GAUSS));
         least = least.min(determinant);
         for (sum, n) in integral.iter_mut().zip(value) {
             *sum += n * determinant;
@@ -111,18 +126,11 @@ pub(super) fn least_determinant(corner: &[Vec3; 8]) -> f64 {
 /// summed over a grid's boundary it is `∫ ∇N_a dV` to round-off. Of current corners it is the gradient of
 /// the enclosed volume with respect to the corner, and over a closed surface forces and moments cancel.
 pub fn quad_integrals(corner: &[Vec3; 4]) -> [Vec3; 4] {
-    const PLACE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let mut integral = [Vec3::zeros(); 4];
-    for point in PLACE {
-        let (xi, eta) = (point[0] * GAUSS, point[1] * GAUSS);
-        let (mut along_xi, mut along_eta) = (Vec3::zeros(), Vec3::zeros());
-        for (x, [s, t]) in corner.iter().zip(PLACE) {
-            along_xi += 0.25 * s * (1.0 + eta * t) * x;
-            along_eta += 0.25 * t * (1.0 + xi * s) * x;
-        }
-        let normal = along_xi.cross(&along_eta);
-        for (sum, [s, t]) in integral.iter_mut().zip(PLACE) {
-            *sum += 0.25 * (1.0 + xi * s) * (1.0 + eta * t) * normal;
+    for point in [[-GAUSS, -GAUSS], [GAUSS, -GAUSS], [GAUSS, GAUSS], [-GAUSS, GAUSS]] {
+        let (value, normal) = quad_hats(corner, point);
+        for (sum, n) in integral.iter_mut().zip(value) {
+            *sum += n * normal;
         }
     }
     integral
@@ -188,7 +196,7 @@ impl Grid {
         }
         let faces = self.faces(name);
         let (position, cells) = (self.node, self.cell);
-        Ok(Particles { position, volume, faces, spacing, least_spacing, cells })
+        Ok(Particles { position, volume, faces, spacing, least_spacing, cells, first_moment: Vec::new() })
     }
 
     /// Boundary faces in the order of their names.

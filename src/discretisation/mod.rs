@@ -5,6 +5,7 @@
 
 mod balance;
 mod coarse;
+mod columns;
 mod conform;
 mod conjugate;
 mod correction;
@@ -25,6 +26,7 @@ mod planar;
 mod points;
 mod prism;
 mod quadratic;
+mod quadrature;
 mod relation;
 mod shape;
 mod shaping;

@@ -4,7 +4,7 @@
 
 use super::error::DiscretisationError;
 use super::shape::Shape;
-use crate::tensor::Vec3;
+use crate::tensor::{Mat3, Vec3};
 
 /// The nodes of one body, in spatial order.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +22,8 @@ pub struct Particles {
     /// Cells of the background grid, corners in the order of VTK's hexahedron; a wedge has two
     /// corners twice.
     pub cells: Vec<[u32; 8]>,
+    /// `B_a = ∮ N_a (X − X_a) ⊗ N dS` of every node, m³; empty before [`Particles::integrate_quadratics`].
+    pub first_moment: Vec<Mat3>,
 }
 
 /// The nodes of one face and the area each carries on it.

@@ -80,6 +80,7 @@ impl Points {
             spacing,
             least_spacing: side.min(spacing),
             cells: Vec::new(),
+            first_moment: Vec::new(),
         })
     }
 }

@@ -38,6 +38,11 @@ pub struct Stencils {
     pub forward: Vec<Vec3>,
     /// `V_b G_a(X_b)` of each entry, the entry `(b, a)` of `forward`, m².
     pub backward: Vec<Vec3>,
+    /// `N_ab · (V_a G_b(X_a) − V_b G_a(X_b))` of each entry, the area across which a pair exchanges momentum, m²;
+    /// the same for `(b, a)`, bit by bit, and zero for `b = a`. Of gradients exact for quadratic fields some,
+    /// mostly of distant pairs, would be below zero, and upwinding would feed what it should damp: with those
+    /// it is the area of the gradients before.
+    pub interface: Vec<f64>,
 }
 
 /// One row of [`Stencils`].
@@ -98,6 +103,7 @@ impl Stencils {
             })?);
         }
         let reverse = list.reverse();
+        let plain = interface(position, &list, &reverse, &forward);
         match consistency {
             Consistency::Kernel => {}
             Consistency::Integration => {
@@ -105,8 +111,12 @@ impl Stencils {
             }
             Consistency::Quadratic => quadratic::impose(particles, kernel, h, &list, &reverse, &mut forward)?,
         }
+        let interface = match consistency {
+            Consistency::Integration => interface(position, &list, &reverse, &forward),
+            Consistency::Kernel | Consistency::Quadratic => plain,
+        };
         let backward = reverse.iter().map(|&entry| forward[entry as usize]).collect();
-        Ok(Self { start: list.start, neighbour: list.neighbour, forward, backward })
+        Ok(Self { start: list.start, neighbour: list.neighbour, forward, backward, interface })
     }
 
     /// How many particles there are.
@@ -131,6 +141,22 @@ impl Stencils {
             backward: &self.backward[range],
         }
     }
+}
+
+/// Interface area of every entry, see [`Stencils::interface`].
+fn interface(position: &[Vec3], list: &Neighbours, reverse: &[u32], forward: &[Vec3]) -> Vec<f64> {
+    let row = |a: usize| {
+        list.range(a).map(move |entry| {
+            let distance = position[list.neighbour[entry] as usize] - position[a];
+            let difference = forward[entry] - forward[reverse[entry] as usize];
+            if list.neighbour[entry] as usize == a {
+                0.0
+            } else {
+                distance.dot(&difference) / distance.norm()
+            }
+        })
+    };
+    (0..position.len()).into_par_iter().flat_map_iter(row).collect()
 }
 
 #[cfg(test)]

@@ -84,7 +84,7 @@ mod tests {
         let shape = Shape::Box { min: Vec3::zeros(), max: Vec3::repeat(1.0) };
         let particles = Particles::lattice(&shape, 1.0 / cells, [None; 3], 0.0).expect("a box");
         let stencils = Stencils::build(&particles, Kernel::WendlandC2, 1.01, Consistency::Integration);
-        let links = Links::new(&particles, &stencils.expect("a lattice has stencils"), true);
+        let links = Links::new(&particles, &stencils.expect("a lattice has stencils"));
         let values: Vec<f64> = particles.position.iter().map(value).collect();
         indicator(&[Part { particles: &particles, links: &links, values: &values }])
     }

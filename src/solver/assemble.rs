@@ -42,14 +42,15 @@ pub fn assemble(
 ) -> Result<Assembled, SolveError> {
     let body = &scene.bodies[index];
     let material = &scene.materials[body.material];
-    let quadratic = scene.run.consistency == Consistency::Quadratic;
-    if quadratic {
-        particles.balance_second_moments();
+    if scene.run.consistency == Consistency::Quadratic {
+        particles
+            .integrate_quadratics()
+            .map_err(|cause| SolveError::Discretisation { body: body.name.clone(), cause })?;
     }
     let law = compile(material)?;
     let stencils = Stencils::build(&particles, scene.run.kernel, scene.run.smoothing, scene.run.consistency)
         .map_err(|cause| SolveError::Discretisation { body: body.name.clone(), cause })?;
-    let links = Links::new(&particles, &stencils, !quadratic);
+    let links = Links::new(&particles, &stencils);
     let count = particles.position.len();
     let mut scratch = Vec::new();
     let directions = directions(material, body, plan, &particles, &mut scratch)?;

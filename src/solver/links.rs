@@ -14,7 +14,7 @@ pub struct Pair {
     pub backward: [f64; 3],
     /// Half of `X_b − X_a`, m: what a state is carried over.
     pub half_step: [f64; 3],
-    /// `N_ab · (V_a G_b(X_a) − V_b G_a(X_b))`, m²; the same for `(b, a)`, bit by bit.
+    /// [`Stencils::interface`], m².
     pub dissipation: f64,
 }
 
@@ -36,11 +36,7 @@ pub struct Links {
 
 impl Links {
     /// Reads the pairs of a body from its stencils.
-    ///
-    /// Gradients exact for quadratic fields give some pairs, mostly distant ones, an interface area below zero,
-    /// and upwinding would feed what it should damp: unless `signed`, as the paper has it, areas are
-    /// taken positive.
-    pub fn new(particles: &Particles, stencils: &Stencils, signed: bool) -> Self {
+    pub fn new(particles: &Particles, stencils: &Stencils) -> Self {
         let count = particles.position.len();
         let mut links = Self {
             start: Vec::with_capacity(count + 1),
@@ -56,14 +52,12 @@ impl Links {
                     continue;
                 }
                 let distance = particles.position[b] - particles.position[a];
-                let (forward, backward) = (stencils.forward[entry], stencils.backward[entry]);
-                let interface = distance.dot(&(forward - backward)) / distance.norm();
                 links.neighbour.push(b as u32);
-                links.forward.push(forward.into());
+                links.forward.push(stencils.forward[entry].into());
                 links.pair.push(Pair {
-                    backward: backward.into(),
+                    backward: stencils.backward[entry].into(),
                     half_step: (0.5 * distance).into(),
-                    dissipation: if signed { interface } else { interface.abs() },
+                    dissipation: stencils.interface[entry],
                 });
             }
             links.start.push(links.neighbour.len() as u32);

@@ -38,8 +38,13 @@ pub(crate) const FULL: &[Claim] = &[
     swinging::POSITION_JITTERED,
     swinging::VELOCITY_JITTERED,
     swinging::STRESS_JITTERED,
+    swinging::VOLUME_JITTERED,
     manufactured::POSITION_FULL,
     manufactured::VELOCITY_FULL,
     manufactured::STRESS_FULL,
     manufactured::VOLUME_FULL,
+    manufactured::POSITION_JITTERED,
+    manufactured::VELOCITY_JITTERED,
+    manufactured::STRESS_JITTERED,
+    manufactured::VOLUME_JITTERED,
 ];

@@ -9,8 +9,6 @@ use crate::verify::claims::picture::slope;
 pub(super) struct Orders {
     /// Of root mean squares.
     pub(super) rms: FieldErrors,
-    /// Of means.
-    pub(super) mean: FieldErrors,
     /// The errors themselves, by cells along an edge.
     pub(super) errors: Vec<(f64, MotionErrors)>,
 }
@@ -19,8 +17,7 @@ pub(super) struct Orders {
 pub(super) fn orders(cells: &[u32], cube: impl Fn(u32) -> Cube) -> Orders {
     let errors: Vec<_> = cells.iter().map(|&cells| (f64::from(cells), cube(cells).errors())).collect();
     let rms: Vec<(f64, FieldErrors)> = errors.iter().map(|(n, errors)| (*n, errors.rms)).collect();
-    let mean: Vec<(f64, FieldErrors)> = errors.iter().map(|(n, errors)| (*n, errors.mean)).collect();
-    Orders { rms: slopes(&rms), mean: slopes(&mean), errors }
+    Orders { rms: slopes(&rms), errors }
 }
 
 /// The slope of every field's error.

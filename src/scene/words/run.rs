@@ -134,7 +134,9 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
         Parameter {
             name: "smoothing",
             kind: Kind::Quantity("number"),
-            presence: Presence::Default("1.01"),
+            presence: Presence::Default(
+                "1.01, with completeness = quadratic 1.2, or 0.8 with quintic_spline",
+            ),
             doc: "Smoothing length as a multiple of the spacing; the kernel reaches two or three times as far.",
         },
         Parameter {
@@ -147,7 +149,7 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
             name: "completeness",
             kind: Kind::Choice(COMPLETENESS),
             presence: Presence::Default("linear"),
-            doc: "Fields whose gradients are exact, at displaced nodes and boundaries too. `quadratic` keeps the neighbours and takes up to twice the steps; x and v err less on smooth fields. It needs three layers of particles across the body and integration_consistency = on.",
+            doc: "Fields whose gradients are exact, at displaced nodes and boundaries too. `quadratic` makes stress and volume of second order as well, whatever the jitter, by volumes and areas that integrate quadratic fields and gradients whose forces are exact for linear stresses. It has twice the neighbours and takes up to twice the steps, and needs three layers of particles across the body (four where they are displaced) and integration_consistency = on.",
         },
         Parameter {
             name: "momentum_dissipation",
