@@ -4,10 +4,10 @@
 //! neither text, units nor files.
 
 mod runge_kutta;
+mod start;
 
 use self::runge_kutta::{HEUN, SSP_RK3};
-use super::affine::{AffineMotion, affine_motions};
-use super::assemble::{Assembled, assemble, discretise};
+use super::affine::AffineMotion;
 use super::body::{BodyState, CHUNK};
 use super::bond::Bonds;
 use super::diagnosis;
@@ -21,9 +21,9 @@ use super::pass::{
     ForceTerms, VolumeTerms, Workspaces, forces, gradients_of_positions, maps_and_stress, wave_speeds,
 };
 use super::projection::Projection;
-use super::time_step::{Rates, stable_step};
-use crate::plan::{Pass, Plan, RELAXATION_OF_J, damping_rate};
-use crate::scene::{Integrator, InterfaceStates, Run, Scene, VolumeDissipation};
+use super::time_step::stable_step;
+use crate::plan::RELAXATION_OF_J;
+use crate::scene::{Integrator, Run, VolumeDissipation};
 use rayon::prelude::*;
 
 /// A running simulation.
@@ -48,75 +48,6 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Assembles a scene as planned, at time zero, with forces evaluated.
-    ///
-    /// # Errors
-    /// If a body cannot be discretised, an energy cannot be compiled, or the initial state is
-    /// inadmissible.
-    pub fn new(scene: &Scene, plan: &Plan) -> Result<Self, SolveError> {
-        let mut simulation = Self {
-            bodies: Vec::new(),
-            affine: Vec::new(),
-            external: Vec::new(),
-            bonds: Bonds::default(),
-            projection: Vec::new(),
-            impulses: Vec::new(),
-            run: scene.run.clone(),
-            damping: damping_rate(scene),
-            time: 0.0,
-            steps: 0,
-            evaluations: 0,
-            stable_step: 0.0,
-            last_step: 0.0,
-            workspaces: Workspaces::new(),
-            scratch: Vec::new(),
-            ends: Vec::new(),
-        };
-        if plan.runs(Pass::MomentumDissipation) == (scene.run.momentum_dissipation == InterfaceStates::Off) {
-            simulation.run.momentum_dissipation = InterfaceStates::Off;
-        }
-        let nodes = scene.bodies.iter().map(|body| discretise(scene, body));
-        let mut nodes = nodes.collect::<Result<Vec<_>, SolveError>>()?;
-        let ties = Bonds::ties(scene, &mut nodes);
-        for (index, particles) in nodes.into_iter().enumerate() {
-            let Assembled { state, external } = assemble(scene, plan, index, particles)?;
-            let projected = plan.runs(Pass::TorqueProjection);
-            let projection = if projected { Projection::new(&state, &scene.symmetry) } else { None };
-            simulation.projection.push(projection);
-            simulation.impulses.push(Impulses::new(plan.runs(Pass::Impulse), &state, &external));
-            simulation.bodies.push(state);
-            simulation.external.push(external);
-        }
-        simulation.bonds = Bonds::new(scene, &mut simulation.bodies, ties)?;
-        simulation.affine = affine_motions(scene, plan, &simulation.bodies);
-        for index in 0..simulation.bodies.len() {
-            let terms = simulation.force_terms(index);
-            let weight = simulation.run.volume_wave_weight;
-            let body = &mut simulation.bodies[index];
-            body.rates = Rates::new(body, terms, weight);
-        }
-        simulation.refresh_stable_step()?;
-        simulation.prepare_supports(simulation.stable_step);
-        if simulation.damping > 0.0 {
-            for (index, affine) in simulation.affine.iter().enumerate() {
-                // the scene's own start velocities stand, and bonded bodies start as one
-                if simulation.bodies.iter().any(|body| body.launch_speed > 0.0) {
-                    continue;
-                }
-                affine.ends(&simulation.bodies, simulation.stable_step, &mut simulation.ends);
-                let body = &mut simulation.bodies[index];
-                affine.start(&body.particles.position, &simulation.ends, &mut body.v);
-            }
-        }
-        simulation.last_step = simulation.stable_step;
-        simulation.impose(simulation.stable_step, 0.0);
-        simulation.meet_velocities();
-        simulation.evaluate(0.0)?;
-        simulation.project_accelerations();
-        simulation.rewind_supports();
-        Ok(simulation)
-    }
-
     /// Time, s.
     pub fn time(&self) -> f64 {
         self.time
@@ -352,15 +283,6 @@ impl Simulation {
                 support.advance(time, &body.particles.position, &mut self.scratch);
             }
         }
-    }
-
-    /// Supports as over a first step, so that the initial velocities are the step's own.
-    fn prepare_supports(&mut self, step: f64) {
-        self.advance_supports(step);
-    }
-
-    fn rewind_supports(&mut self) {
-        self.advance_supports(0.0);
     }
 
     fn evaluate_external(&mut self, time: f64) {
