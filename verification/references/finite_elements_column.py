@@ -3,7 +3,7 @@
 Quadratic displacement, implicit midpoint rule, half of the column; stress and tangent by automatic differentiation
 of the energy. Needs dolfinx 0.5 and MUMPS (Debian: python3-dolfinx). Writes one row every 5 ms, in SI.
 
-    python3 finite_elements_column.py --mesh 4x2x24 --step 0.002 --out table.csv
+    python3 finite_elements_column.py --mesh 6x3x36 --step 0.0025 --out table.csv
 """
 
 import argparse
