@@ -117,6 +117,20 @@ fn results_are_replaced_only_on_request() {
 }
 
 #[test]
+fn an_earlier_run_outlives_one_that_cannot_begin() {
+    let out = folder("outlives").join("run");
+    let run = |more: &[&str]| tissue(&[&["run", STRIP, "--out", path(&out), "--quiet"], more].concat());
+    assert_eq!(run(&[]).status.code(), Some(0));
+    let before = contents(&out);
+    // a spacing only the lattice can refuse
+    assert_eq!(run(&["--overwrite", "--set", "strip.spacing=0.7mm"]).status.code(), Some(2));
+    assert!(contents(&out) == before, "the earlier run is not what it was");
+    assert_eq!(run(&["--overwrite", "--set", "run.cfl=0.7"]).status.code(), Some(0));
+    let beside = fs::read_dir(out.parent().expect("a parent")).expect("readable").count();
+    assert_eq!(beside, 1, "the earlier run is let go once the new one stands");
+}
+
+#[test]
 fn a_folder_that_holds_something_else_is_never_emptied() {
     let out = folder("foreign");
     fs::write(out.join("thesis.csv"), "years of work").expect("the folder can be written");

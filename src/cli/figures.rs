@@ -161,7 +161,7 @@ fn results_of(options: &FiguresOptions, source: &Source) -> Result<RunResults, S
     let short: String = input.hash.chars().take(12).collect();
     let folder = options.runs.join(format!("{file}-{}-{short}", source.scene));
     if !is_done(&folder, &provenance) {
-        prepare(&folder, folder.exists())?;
+        prepare(&folder, folder.exists())?.let_go()?;
         run(options, &input, source, &provenance, &folder)?;
     }
     let records: Vec<String> = match input.document.drives.iter().find(|drive| drive.name == source.scene) {

@@ -6,17 +6,29 @@
 use crate::output::RunReport;
 use crate::output::file::{create_fresh_folder, write_atomic};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The file that says what a folder holds.
 pub const REPORT: &str = "run.json";
 
-/// Makes the output folder, or removes from it the files of an earlier run if they may go.
+/// What the name of a folder gets while its earlier run is set aside.
+const ASIDE: &str = ".earlier";
+
+/// The files of an earlier run, set aside until the new one has begun.
+#[derive(Debug)]
+#[must_use = "an earlier run is either given back or let go"]
+pub struct Earlier {
+    folder: PathBuf,
+    aside: Option<PathBuf>,
+}
+
+/// Makes the output folder; an earlier run in it is set aside, into a folder beside it, if it may go.
 ///
 /// # Errors
 /// What is in the way and what to write.
-pub fn prepare(folder: &Path, overwrite: bool) -> Result<(), String> {
-    if overwrite {
+pub fn prepare(folder: &Path, overwrite: bool) -> Result<Earlier, String> {
+    let mut aside = None;
+    if overwrite && folder.is_dir() {
         let earlier = earlier(folder);
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
         let mut names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
@@ -26,20 +38,60 @@ pub fn prepare(folder: &Path, overwrite: bool) -> Result<(), String> {
                 folder.display()
             ));
         }
-        for name in earlier {
-            let path = folder.join(name);
-            if path.is_file() {
-                fs::remove_file(&path)
-                    .map_err(|cause| format!("cannot remove {}: {cause}", path.display()))?;
-            }
+        let mut name = folder.file_name().unwrap_or_default().to_os_string();
+        name.push(ASIDE);
+        let place = folder.with_file_name(name);
+        remove(&place)?;
+        fs::rename(folder, &place).map_err(|cause| format!("cannot move {}: {cause}", folder.display()))?;
+        aside = Some(place);
+    }
+    let earlier = Earlier { folder: folder.to_path_buf(), aside };
+    match create_fresh_folder(folder) {
+        Ok(()) => Ok(earlier),
+        Err(cause) => {
+            earlier.give_back()?;
+            Err(format!(
+                "cannot write to {}: {cause}; name another folder with --out, or replace an earlier run with --overwrite",
+                folder.display()
+            ))
         }
     }
-    create_fresh_folder(folder).map_err(|cause| {
-        format!(
-            "cannot write to {}: {cause}; name another folder with --out, or replace an earlier run with --overwrite",
-            folder.display()
-        )
-    })
+}
+
+impl Earlier {
+    /// Puts the earlier run back, for the new one could not begin.
+    ///
+    /// # Errors
+    /// Where it is if it cannot be put back.
+    pub fn give_back(self) -> Result<(), String> {
+        // empty if the new run has withdrawn
+        let _ = fs::remove_dir(&self.folder);
+        let Some(aside) = self.aside else { return Ok(()) };
+        fs::rename(&aside, &self.folder)
+            .map_err(|cause| format!("the earlier results are in {}: {cause}", aside.display()))
+    }
+
+    /// Lets the earlier run go, for the new one stands in its place.
+    ///
+    /// # Errors
+    /// What cannot be removed.
+    pub fn let_go(self) -> Result<(), String> {
+        self.aside.map_or(Ok(()), |aside| remove(&aside))
+    }
+}
+
+/// Removes a folder and the files a run wrote into it, if there is one.
+fn remove(folder: &Path) -> Result<(), String> {
+    for name in earlier(folder) {
+        let path = folder.join(name);
+        if path.is_file() {
+            fs::remove_file(&path).map_err(|cause| format!("cannot remove {}: {cause}", path.display()))?;
+        }
+    }
+    if folder.exists() {
+        fs::remove_dir(folder).map_err(|cause| format!("cannot remove {}: {cause}", folder.display()))?;
+    }
+    Ok(())
 }
 
 /// Writes the report that an interrupted run leaves behind.

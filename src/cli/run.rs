@@ -61,10 +61,13 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let mut exit = Exit::Fine;
     for job in jobs {
         let folder = folder(options, job.name(), several);
-        if let Err(message) = prepare(&folder, options.overwrite) {
-            tell!("error: {message}");
-            return Exit::WrongInput;
-        }
+        let earlier = match prepare(&folder, options.overwrite) {
+            Ok(earlier) => earlier,
+            Err(message) => {
+                tell!("error: {message}");
+                return Exit::WrongInput;
+            }
+        };
         let one = match job {
             Job::Scene(scene) => pool.install(|| run_scene(options, &input, scene, &folder)),
             Job::Drive(drive) => run_drive(options, &input, drive, &folder),
@@ -73,6 +76,11 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
         };
         if one != Exit::Fine {
             exit = one;
+        }
+        let kept = if one == Exit::WrongInput { earlier.give_back() } else { earlier.let_go() };
+        if let Err(message) = kept {
+            tell!("error: {message}");
+            exit = Exit::Failed;
         }
     }
     exit
