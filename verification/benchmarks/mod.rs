@@ -64,6 +64,7 @@ pub(crate) const SCENES: &[BenchmarkFile] = &[
     BenchmarkFile { path: "specs/punch/jump.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/punch/smooth.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/punch/lightly.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
+    BenchmarkFile { path: "specs/punch/quadratic.tissue", tier: Tier::Full, wrong: SOFTER_PUNCH },
     BenchmarkFile { path: "specs/fits/myocardium.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile { path: "specs/fits/rubber.tissue", tier: Tier::Quick, wrong: &[] },
     BenchmarkFile {
