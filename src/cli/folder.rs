@@ -42,8 +42,11 @@ pub fn prepare(folder: &Path, overwrite: bool) -> Result<Earlier, String> {
         name.push(ASIDE);
         let place = folder.with_file_name(name);
         remove(&place)?;
-        fs::rename(folder, &place).map_err(|cause| format!("cannot move {}: {cause}", folder.display()))?;
-        aside = Some(place);
+        // what cannot be moved, as the root of a file system, is emptied instead
+        match fs::rename(folder, &place) {
+            Ok(()) => aside = Some(place),
+            Err(_) => empty(folder)?,
+        }
     }
     let earlier = Earlier { folder: folder.to_path_buf(), aside };
     match create_fresh_folder(folder) {
@@ -82,14 +85,20 @@ impl Earlier {
 
 /// Removes a folder and the files a run wrote into it, if there is one.
 fn remove(folder: &Path) -> Result<(), String> {
+    empty(folder)?;
+    if folder.exists() {
+        fs::remove_dir(folder).map_err(|cause| format!("cannot remove {}: {cause}", folder.display()))?;
+    }
+    Ok(())
+}
+
+/// Removes the files a run wrote into a folder.
+fn empty(folder: &Path) -> Result<(), String> {
     for name in earlier(folder) {
         let path = folder.join(name);
         if path.is_file() {
             fs::remove_file(&path).map_err(|cause| format!("cannot remove {}: {cause}", path.display()))?;
         }
-    }
-    if folder.exists() {
-        fs::remove_dir(folder).map_err(|cause| format!("cannot remove {}: {cause}", folder.display()))?;
     }
     Ok(())
 }

@@ -76,7 +76,7 @@ impl Particles {
             let ring = rings.around(cell, &self.cells);
             match self.shares(&ring, &frame, &cell_excess(&corner, &frame)) {
                 Some(shares) => Ok((ring, shares)),
-                None => Err(self.singular(cell)),
+                None => Err(self.singular(cell, &ring)),
             }
         };
         let corrections: Vec<_> = self.cells.par_iter().map(cell).collect();
@@ -111,12 +111,12 @@ impl Particles {
         Frame { origin, axes, scale: 1.0 / self.spacing }
     }
 
-    fn singular(&self, cell: &[u32]) -> DiscretisationError {
+    fn singular(&self, cell: &[u32], ring: &[u32]) -> DiscretisationError {
         let particle = cell[0] as usize;
         DiscretisationError::SingularQuadratics {
             particle,
             position: self.position[particle],
-            neighbours: cell.len(),
+            neighbours: ring.len(),
         }
     }
 
@@ -143,7 +143,7 @@ impl Particles {
             let ring = rings.around(quad, &face.quads);
             let shares = self
                 .shares(&ring, &frame, &quad_excess(&corner, &frame))
-                .ok_or_else(|| self.singular(quad))?;
+                .ok_or_else(|| self.singular(quad, &ring))?;
             for (a, share) in ring.into_iter().zip(shares) {
                 let node = face.nodes.partition_point(|&node| node < a);
                 area[node] -= share[0] * normal;
@@ -208,15 +208,7 @@ impl Frame {
 
 /// The products of powers, the first coordinate fastest.
 fn monomials<const M: usize>(d: &Vec3) -> SVector<f64, M> {
-    let power = |x: f64, n: usize| {
-        if n == 0 {
-            1.0
-        } else if n == 1 {
-            x
-        } else {
-            x * x
-        }
-    };
+    let power = |x: f64, n: usize| [1.0, x, x * x][n];
     SVector::from_fn(|m, _| power(d.x, m % 3) * power(d.y, m / 3 % 3) * power(d.z, m / 9))
 }
 
