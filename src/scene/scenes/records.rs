@@ -115,7 +115,14 @@ impl Stage<'_> {
         let values = members
             .required(self.mistakes, &file, &FRAMES, block, "values")
             .and_then(|site| self.chosen_list(&site, &FRAMES, "values"));
-        let values = values?.into_iter().map(String::from).collect();
+        let values: Vec<String> = values?.into_iter().map(String::from).collect();
+        if let ([], Some(site)) = (values.as_slice(), members.written("values")) {
+            let message = format!("the frames `{}` hold no field", name.text);
+            let span = site.file.span(site.id);
+            let help =
+                Some("write the fields to look at, for example `values = [displacement, sigma]`".into());
+            return Err(self.mistakes.report(&site.file, Code::MissingKey, span, message, "", help));
+        }
         self.scene.frames.push(Frames {
             name: name.text,
             place: file.place(&block.kind.span),
