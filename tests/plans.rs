@@ -108,3 +108,27 @@ fn dropping_what_is_read_would_be_noticed() {
         assert!(after_twenty_steps(&scene, &Plan::new(&scene)) != right);
     }
 }
+
+/// The line of the plan that starts with a word.
+fn line_of(scene: &Scene, word: &str) -> String {
+    let plan = Plan::new(scene).to_string();
+    plan.lines().find(|line| line.contains(word)).expect("the plan has the line").to_string()
+}
+
+#[test]
+fn the_plan_says_what_the_momentum_dissipation_does_with_the_weights_it_has() {
+    let (_, mut scene) =
+        scenes().into_iter().find(|(file, _)| file.contains("tests/scenes")).expect("a scene");
+    for (pressure, shear, says) in [
+        (1.0, 1.0, "removes zero-energy modes"),
+        (1.0, 0.0, "shear_wave_weight is 0"),
+        (0.0, 1.0, "pressure_wave_weight is 0"),
+        (0.0, 0.0, "both wave weights are 0"),
+    ] {
+        (scene.run.pressure_wave_weight, scene.run.shear_wave_weight) = (pressure, shear);
+        let (line, stiffness) = (line_of(&scene, "MomentumDissipation"), line_of(&scene, "gradient sees"));
+        assert!(line.contains(says), "{line}");
+        let both_off = pressure + shear == 0.0;
+        assert_eq!(stiffness.contains("nor does"), both_off, "{stiffness}");
+    }
+}

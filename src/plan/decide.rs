@@ -1,10 +1,10 @@
 //! The decisions, one function each for fields and passes.
 
+use super::reason::{projection, why_dissipated, why_stiffened};
 use super::{Decision, Field, Pass, Plan, choices};
 use crate::energy::{Invariant, Leaf};
 use crate::scene::{
-    AngularMomentum, Coordinate, Formulation, InterfaceStates, Loading, Material, Place, Probe, Scene,
-    VolumeDissipation,
+    Coordinate, Formulation, InterfaceStates, Loading, Material, Place, Probe, Scene, VolumeDissipation,
 };
 
 /// Decides everything about a scene.
@@ -234,18 +234,7 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         format!("energy of {}", names(scene.materials.iter().map(|material| material.name.as_str()))),
     );
     add(Pass::InternalForce, true, "momentum balance (32)".into());
-    add(
-        Pass::MomentumDissipation,
-        run.momentum_dissipation != InterfaceStates::Off,
-        match run.momentum_dissipation {
-            InterfaceStates::Off => format!("switched off, {}", line(&run.place)),
-            InterfaceStates::Constant => "removes zero-energy modes; states of the particles (33)".into(),
-            InterfaceStates::Linear => "removes zero-energy modes; states carried to mid-pair (33)".into(),
-            InterfaceStates::Limited => {
-                "removes zero-energy modes; states carried to mid-pair, no pair gains energy (33)".into()
-            }
-        },
-    );
+    add(Pass::MomentumDissipation, run.momentum_dissipation != InterfaceStates::Off, why_dissipated(run));
     add(
         Pass::VolumeDissipation,
         run.volume_dissipation != VolumeDissipation::Off,
@@ -256,15 +245,7 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         }
         .into(),
     );
-    add(
-        Pass::Hourglass,
-        run.hourglass_stiffness > 0.0,
-        if run.hourglass_stiffness > 0.0 {
-            "even and odd nodes may not stretch differently".into()
-        } else {
-            "no stiffness against what no gradient sees; D(p) only damps it".into()
-        },
-    );
+    add(Pass::Hourglass, run.hourglass_stiffness > 0.0, why_stiffened(run).into());
     add(Pass::ExternalForce, is_loaded(scene), loads_reason(scene));
     add(
         Pass::AffineDamping,
@@ -310,22 +291,4 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         },
     );
     list
-}
-
-/// Whether any body has an angular momentum to keep, and why.
-fn projection(scene: &Scene) -> (bool, String) {
-    let held = |body: usize| scene.prescribed.iter().any(|prescribed| prescribed.region.body == body);
-    if scene.run.angular_momentum == AngularMomentum::Free {
-        (false, "angular momentum is what forces and integrator make of it".into())
-    } else if scene.symmetry.iter().flatten().count() > 1 {
-        (false, "mirrored about more than one plane, the whole has no angular momentum".into())
-    } else if !scene.bonds.is_empty() {
-        (false, "bonded bodies exchange angular momentum".into())
-    } else if scene.motion.is_some() {
-        (false, "an exact motion moves the body".into())
-    } else if (0..scene.bodies.len()).all(held) {
-        (false, "every body is held, so reactions change its angular momentum".into())
-    } else {
-        (true, format!("internal forces lose their torque, {}", line(&scene.run.place)))
-    }
 }

@@ -7,6 +7,7 @@
 mod choice;
 mod decide;
 mod point;
+mod reason;
 mod render;
 
 pub use choice::{Choice, RELAXATION_OF_J, choices, damping_rate};
