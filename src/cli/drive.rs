@@ -3,11 +3,11 @@
 use super::Exit;
 use super::arguments::RunOptions;
 use super::input::Input;
-use super::run::{draw, print_faults, print_verdicts};
+use super::run::{draw, print_faults, print_verdicts, tell_at};
 use crate::output::file::write_atomic;
 use crate::output::report::RunStatus;
 use crate::output::{DriveReport, Provenance};
-use crate::run::{DriveJob, DriveOutcome, drive};
+use crate::run::{DriveJob, DriveOutcome, RunError, drive};
 use crate::scene::Drive;
 use std::path::Path;
 
@@ -35,6 +35,9 @@ pub(super) fn run_drive(options: &RunOptions, input: &Input, described: &Drive, 
     }
     if let Some(cause) = failure {
         tell!("error: drive `{name}` stopped: {cause}");
+        if let RunError::ColumnWithoutValue(fault) = &cause {
+            tell_at(&fault.place);
+        }
         tell!("  every point before it is kept in {}", folder.display());
     }
     if options.quiet {

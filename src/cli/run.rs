@@ -156,6 +156,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
     }
     if let Some(cause) = failure {
         tell!("error: scene `{}` stopped: {cause}", scene.name);
+        tell_place(&cause, scene);
         tell!("  everything up to t = {:.4e} s is kept in {}", report.end_time, folder.display());
     }
     if !options.quiet {
@@ -168,9 +169,14 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
 
 /// Where the scene asks for what cannot be.
 pub(super) fn tell_place(cause: &RunError, scene: &Scene) {
-    if let Some(Place { file, line, column }) = cause.place(scene) {
-        tell!(" --> {file}:{line}:{column}");
+    if let Some(place) = cause.place(scene) {
+        tell_at(place);
     }
+}
+
+/// A place as under a mistake.
+pub(super) fn tell_at(Place { file, line, column }: &Place) {
+    tell!(" --> {file}:{line}:{column}");
 }
 
 fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {

@@ -5,7 +5,8 @@
 
 use super::error::RunError;
 use super::expect::judge_all;
-use crate::drive::{Control, Drive as MaterialPoint, DriveError, Point, Target, Volume, frame};
+use super::sampling::without_value;
+use crate::drive::{Control, Drive as MaterialPoint, Point, Target, Volume, frame};
 use crate::energy::Law;
 use crate::monitor::von_mises;
 use crate::output::file::write_atomic;
@@ -35,14 +36,14 @@ pub struct DriveOutcome {
     /// The tables, also written as CSV.
     pub tables: Vec<Table>,
     /// Why the drive stopped early, if it did.
-    pub failure: Option<DriveError>,
+    pub failure: Option<RunError>,
 }
 
 /// Drives a material point to the end of its path or its failure.
 ///
 /// # Errors
 /// If it cannot be set up, or a table cannot be written. A point without equilibrium is no error here
-/// but [`DriveOutcome::failure`], with every point before it in the tables.
+/// but [`DriveOutcome::failure`], with every point before it in the tables; so is a column without a value.
 pub fn drive(job: &DriveJob<'_>) -> Result<DriveOutcome, RunError> {
     let clock = Instant::now();
     let drive = job.drive;
@@ -77,7 +78,7 @@ pub fn drive(job: &DriveJob<'_>) -> Result<DriveOutcome, RunError> {
             }
         },
     );
-    let failure = found.err();
+    let failure = cut(drive, &mut tables).or(found.err().map(RunError::Drive));
     for table in &tables {
         let name = format!("{}.csv", table.name);
         let text = table.to_csv()?;
@@ -95,6 +96,26 @@ pub fn drive(job: &DriveJob<'_>) -> Result<DriveOutcome, RunError> {
     };
     report.wall_seconds = clock.elapsed().as_secs_f64();
     Ok(DriveOutcome { report, tables, failure })
+}
+
+/// Ends all tables before the first row in which a column has no value; which one that is.
+fn cut(drive: &Drive, tables: &mut [Table]) -> Option<RunError> {
+    let mut first: Option<(usize, RunError)> = None;
+    for (record, table) in drive.records.iter().zip(tables.iter()) {
+        let fault =
+            |row: &Vec<f64>| without_value(&record.name, &record.columns, &drive.parameter, &drive.unit, row);
+        let found = table.rows.iter().enumerate().find_map(|(at, row)| fault(row).map(|fault| (at, fault)));
+        if let Some((at, fault)) = found
+            && first.as_ref().is_none_or(|(before, _)| at < *before)
+        {
+            first = Some((at, fault));
+        }
+    }
+    let (at, fault) = first?;
+    for table in tables {
+        table.rows.truncate(at);
+    }
+    Some(fault)
 }
 
 /// What a path prescribes at a value of its parameter.

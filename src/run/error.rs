@@ -48,6 +48,8 @@ pub enum RunError {
         /// Samples allowed.
         most: f64,
     },
+    /// A column of a record is infinite or undefined.
+    ColumnWithoutValue(Box<ColumnFault>),
     /// A table could not be written.
     Table(TableError),
     /// A frame could not be written.
@@ -66,6 +68,23 @@ pub enum RunError {
         /// What the system reported.
         cause: io::Error,
     },
+}
+
+/// A column of a record that is infinite or undefined.
+#[derive(Debug)]
+pub struct ColumnFault {
+    /// The record.
+    pub record: String,
+    /// The column.
+    pub column: String,
+    /// Its formula as written.
+    pub expression: String,
+    /// Where it is written.
+    pub place: Place,
+    /// At which value of the first column, with its name.
+    pub at: String,
+    /// What came out.
+    pub value: f64,
 }
 
 impl RunError {
@@ -91,6 +110,7 @@ impl RunError {
             Self::Motion { .. } => true,
             Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
             Self::FitStart { .. } => true,
+            Self::ColumnWithoutValue(_) => false,
             Self::Table(_) | Self::Frame(_) | Self::Figure { .. } | Self::Io { .. } => false,
         }
     }
@@ -98,9 +118,10 @@ impl RunError {
 
 impl RunError {
     /// Where the scene asks for what cannot be, where that is known.
-    pub fn place<'a>(&self, scene: &'a Scene) -> Option<&'a Place> {
+    pub fn place<'a>(&'a self, scene: &'a Scene) -> Option<&'a Place> {
         let body = |name: &str| scene.bodies.iter().find(|body| body.name == name);
         match self {
+            Self::ColumnWithoutValue(fault) => Some(&fault.place),
             Self::Solve(
                 SolveError::Discretisation { body: name, .. }
                 | SolveError::DirectionNotUnit { body: name, .. }
@@ -158,6 +179,15 @@ impl fmt::Display for RunError {
                 f,
                 "`{name}` asks for {samples:.1e} samples, at most {most:.0e} are written; write a longer `every`"
             ),
+            Self::ColumnWithoutValue(fault) => {
+                let ColumnFault { record, column, expression, at, value, .. } = &**fault;
+                let what = if value.is_nan() { "has no value" } else { "is infinite" };
+                write!(
+                    f,
+                    "column `{column} = {expression}` of record `{record}` {what} at {at}; guard its formula \
+                     with `if(…, …, …)`"
+                )
+            }
             Self::Table(cause) => write!(f, "{cause}"),
             Self::Frame(cause) => write!(f, "{cause}"),
             Self::Io { path, cause } => write!(f, "cannot write {}: {cause}", path.display()),

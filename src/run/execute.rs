@@ -5,17 +5,16 @@
 
 use super::error::RunError;
 use super::expect::judge_all;
+use super::sampling::{Filming, Recording};
 use super::schedule::Schedule;
-use super::snapshot::frame;
 use crate::monitor::{Observer, RESIDUAL_MOMENT, largest_residual, totals};
-use crate::output::file::write_atomic;
 use crate::output::report::{Choice, RunStatus, TotalChange};
-use crate::output::{Collection, Provenance, RunReport, Table, TableColumn, TableError, TableWriter};
+use crate::output::{Provenance, RunReport, Table, TableColumn, TableWriter};
 use crate::plan::Plan;
-use crate::scene::{Column, Frames, Record, Scene};
+use crate::scene::Scene;
 use crate::solver::{Simulation, SolveError};
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// What to run, and where to.
@@ -103,7 +102,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         match records.iter_mut().try_for_each(|recording| recording.sample(&simulation, &observer, time)) {
             Ok(()) => {}
             // a column without a value ends the run like a state without one
-            Err(cause @ RunError::Table(TableError::NotFinite { .. })) => {
+            Err(cause @ RunError::ColumnWithoutValue(_)) => {
                 failure = Some(cause);
                 break;
             }
@@ -231,87 +230,4 @@ fn total_changes(before: &crate::monitor::Totals, after: &crate::monitor::Totals
     changes.push(change("strain_energy".into(), "J", before.strain_energy, after.strain_energy));
     changes.push(change("volume".into(), "m^3", before.volume, after.volume));
     changes
-}
-
-/// A record on its way to a table.
-struct Recording<'a> {
-    record: &'a Record,
-    schedule: Schedule,
-    table: Table,
-    writer: Option<TableWriter<File>>,
-}
-
-impl<'a> Recording<'a> {
-    fn new(job: &Job<'_>, record: &'a Record) -> Result<Self, RunError> {
-        let mut columns = vec![TableColumn::new("t", "s", "time")];
-        columns.extend(
-            record.columns.iter().map(|Column { name, unit, text, .. }| TableColumn::new(name, unit, text)),
-        );
-        let table = Table {
-            name: record.name.clone(),
-            columns,
-            rows: Vec::new(),
-            provenance: job.provenance.lines(),
-        };
-        let writer = match &job.folder {
-            None => None,
-            Some(folder) => {
-                let path = folder.join(format!("{}.csv", record.name));
-                let file = File::create(&path).map_err(|cause| RunError::Io { path, cause })?;
-                Some(TableWriter::new(file, &table)?)
-            }
-        };
-        Ok(Self { record, schedule: Schedule::new(record.every, job.scene.run.until), table, writer })
-    }
-
-    fn sample(&mut self, simulation: &Simulation, observer: &Observer, time: f64) -> Result<(), RunError> {
-        if !self.schedule.take(time) {
-            return Ok(());
-        }
-        let tapes = self.record.columns.iter().map(|column| &column.value);
-        let mut row = vec![time];
-        row.extend(observer.evaluate(simulation, tapes));
-        if let Some(writer) = &mut self.writer {
-            writer.append(&row)?;
-        }
-        self.table.rows.push(row);
-        Ok(())
-    }
-}
-
-/// A series of frames on its way to files.
-struct Filming<'a> {
-    frames: &'a Frames,
-    schedule: Schedule,
-    collection: Collection,
-    folder: Option<&'a Path>,
-    provenance: Vec<String>,
-}
-
-impl<'a> Filming<'a> {
-    fn new(job: &'a Job<'_>, frames: &'a Frames) -> Self {
-        let provenance = job.provenance.lines();
-        Self {
-            frames,
-            schedule: Schedule::new(frames.every, job.scene.run.until),
-            collection: Collection { provenance: provenance.clone(), ..Collection::default() },
-            folder: job.folder.as_deref(),
-            provenance,
-        }
-    }
-
-    fn sample(&mut self, simulation: &Simulation, time: f64) -> Result<(), RunError> {
-        if !self.schedule.take(time) {
-            return Ok(());
-        }
-        let Some(folder) = self.folder else { return Ok(()) };
-        let write = |name: &str, text: String| {
-            let path = folder.join(name);
-            write_atomic(&path, text.as_bytes()).map_err(|cause| RunError::Io { path, cause })
-        };
-        let name = self.collection.next_name(&self.frames.name);
-        write(&name, frame(simulation, &self.frames.values, &self.provenance).to_vtu()?)?;
-        self.collection.frames.push((time, name));
-        write(&format!("{}.pvd", self.frames.name), self.collection.to_pvd())
-    }
 }

@@ -11,6 +11,7 @@ mod figure;
 mod fit;
 mod interpolate;
 mod order;
+mod sampling;
 mod schedule;
 mod snapshot;
 mod sweep;
@@ -19,7 +20,7 @@ mod trade;
 
 pub use cost::Cost;
 pub use drive::{DriveJob, DriveOutcome, drive};
-pub use error::RunError;
+pub use error::{ColumnFault, RunError};
 pub use execute::{Job, Outcome, Progress, execute};
 pub use expect::{control, judge, judge_all};
 pub use figure::{Results, RunResults, draw_figure, extract_figure, figures, table_names};
