@@ -3,8 +3,12 @@
 use super::super::model::{Load, Region};
 use super::stage::Stage;
 use crate::expression::Tape;
-use crate::syntax::{Code, Diagnostic};
+use crate::syntax::{Code, Diagnostic, Span};
 use crate::unit::{Dimension, Quantity};
+
+/// The earlier and the later of two prescribed motions, the axis of the component both prescribe, and whether
+/// their face is one.
+type Clash = (usize, usize, usize, bool);
 
 impl Stage<'_> {
     /// Refuses two prescribed motions of one degree of freedom.
@@ -12,7 +16,7 @@ impl Stage<'_> {
     /// On one face no component may be prescribed twice. Faces that share an edge share its particles:
     /// there both must say the same.
     pub(super) fn refuse_conflicts(&mut self) {
-        let mut found = Vec::new();
+        let mut found: Vec<Clash> = Vec::new();
         for (second, later) in self.scene.prescribed.iter().enumerate() {
             for (first, earlier) in self.scene.prescribed[..second].iter().enumerate() {
                 if later.region.body != earlier.region.body {
@@ -34,21 +38,61 @@ impl Stage<'_> {
                 }
             }
         }
-        for (first, second, axis, same) in found {
-            let axis = ["x", "y", "z"][axis];
-            let (earlier, later) = (&self.scene.prescribed[first], &self.scene.prescribed[second]);
-            let body = &self.scene.bodies[later.region.body].name;
-            let place = if same {
-                format!("`{body}.{}`", later.region.face)
-            } else {
-                format!("the edge of `{body}.{}` and `{body}.{}`", earlier.region.face, later.region.face)
+        let mut told: Vec<(Span, Span)> = Vec::new();
+        for (first, second, ..) in &found {
+            let lines = (self.sites[*first].clone(), self.sites[*second].clone());
+            if told.contains(&lines) {
+                continue;
+            }
+            // two lines that meet on several edges are one mistake
+            let alike = |(a, b, ..): &&Clash| (&self.sites[*a], &self.sites[*b]) == (&lines.0, &lines.1);
+            let alike: Vec<Clash> = found.iter().filter(alike).copied().collect();
+            let message = self.clash(&alike);
+            let diagnostic = Diagnostic::new(Code::Conflict, message, lines.1.clone(), "here again")
+                .with_label(lines.0.clone(), "first here");
+            let earlier = &self.scene.prescribed[*first];
+            let diagnostic = match (earlier.word.as_str(), self.scene.prescribed[*second].word.as_str()) {
+                (word, "motion") if word != "motion" && alike.len() > 1 => {
+                    let face =
+                        format!("{}.{}", self.scene.bodies[earlier.region.body].name, earlier.region.face);
+                    diagnostic.with_help(format!("leave `{word} {face}` out, or write `boundary = traction`"))
+                }
+                _ => diagnostic,
             };
-            let message = format!("the displacement along {axis} of {place} is prescribed twice");
-            let diagnostic =
-                Diagnostic::new(Code::Conflict, message, self.sites[second].clone(), "here again")
-                    .with_label(self.sites[first].clone(), "first here");
             self.mistakes.push(&self.file, diagnostic);
+            told.push(lines);
         }
+    }
+
+    /// Which displacement two lines both prescribe, and where.
+    fn clash(&self, found: &[Clash]) -> String {
+        let face = |index: usize| {
+            let region = &self.scene.prescribed[index].region;
+            format!("`{}.{}`", self.scene.bodies[region.body].name, region.face)
+        };
+        let axis = |(_, _, axis, _): &Clash| ["x", "y", "z"][*axis];
+        let place = match found {
+            [(_, second, _, true)] => face(*second),
+            [(first, second, ..)] => format!("the edge of {} and {}", face(*first), face(*second)),
+            several => {
+                let common = several.iter().all(|clash| clash.0 == several[0].0);
+                let edges = several.iter().map(|(first, second, _, same)| match (common, same) {
+                    (true, _) | (_, true) => face(*second),
+                    (false, false) => format!("{} and {}", face(*first), face(*second)),
+                });
+                let edges = edges.collect::<Vec<_>>().join(", ");
+                let first = face(several[0].0);
+                if common {
+                    format!("the edges of {first} with {edges}")
+                } else {
+                    format!("the edges of {edges}")
+                }
+            }
+        };
+        let mut axes: Vec<&str> = found.iter().map(axis).collect();
+        axes.sort_unstable();
+        axes.dedup();
+        format!("the displacement along {} of {place} is prescribed twice", axes.join(" or "))
     }
 
     /// Components of the force of a pressure at the start: the normal of a plane face, or all.
