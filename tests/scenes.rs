@@ -108,7 +108,9 @@ fn values_given_on_the_command_line_replace_those_written() {
         ("axial.run.cfl", "0.5"),
         ("pull.every", "1 ms"),
         ("adventitia.goh.C", "3.82 kPa"),
+        ("symmetry.planes", "[x, y]"),
     ]);
+    assert_eq!(scene.symmetry.each_ref().map(Option::is_some), [true, true, false]);
     assert_eq!(scene.bodies[0].spacing, 0.25e-3);
     assert_eq!((scene.run.until, scene.run.cfl), (8e-3, 0.5));
     assert_eq!(scene.materials[0].parameters[0].value, 0.0);

@@ -154,8 +154,8 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
 
 /// The results of a source, of an earlier run if its input and the program are the same.
 fn results_of(options: &FiguresOptions, source: &Source) -> Result<RunResults, Stop> {
-    let input = read_runs_or_explain(Path::new(&source.file), &source.settings(options.quick))
-        .map_err(Stop::Explained)?;
+    let settings = source.settings(options.quick);
+    let input = read_runs_or_explain(Path::new(&source.file), &settings).map_err(Stop::Explained)?;
     let provenance = Provenance::new(&input.name, &input.hash, &source.scene);
     let file = Path::new(&source.file).file_stem().unwrap_or_default().to_string_lossy();
     let short: String = input.hash.chars().take(12).collect();
@@ -164,16 +164,20 @@ fn results_of(options: &FiguresOptions, source: &Source) -> Result<RunResults, S
         prepare(&folder, folder.exists())?.let_go()?;
         run(options, &input, source, &provenance, &folder)?;
     }
+    let mut spacings = Vec::new();
     let records: Vec<String> = match input.document.drives.iter().find(|drive| drive.name == source.scene) {
         Some(drive) => drive.records.iter().map(|record| record.name.clone()).collect(),
         None => {
             let scene = input.document.scenes.iter().find(|scene| scene.name == source.scene);
-            scene
-                .map(|scene| scene.records.iter().map(|record| record.name.clone()).collect())
-                .unwrap_or_default()
+            let bodies = scene.iter().flat_map(|scene| &scene.bodies);
+            spacings.extend(bodies.map(|body| (body.name.clone(), body.spacing)));
+            let records = scene.iter().flat_map(|scene| &scene.records);
+            records.map(|record| record.name.clone()).collect()
         }
     };
-    Ok(RunResults::read(&source.name, &folder, &records, provenance.lines())?)
+    let mut lines = provenance.lines();
+    lines.extend(settings.iter().map(|(path, value)| format!("set {path} = {value}")));
+    Ok(RunResults::read(&source.name, &folder, &records, spacings, lines)?)
 }
 
 /// Whether a folder holds the finished results of the same input by the same program.

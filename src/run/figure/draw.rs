@@ -57,6 +57,7 @@ fn curves(plot: &Plot, title: &str, table: &Table) -> Result<Figure, String> {
     let data = all_series(plot);
     let named = data.first().map(|data| match data {
         SeriesData::Record { y, x, .. } | SeriesData::Reference { y, x, .. } => (x.clone(), y.clone()),
+        SeriesData::Points { .. } => ("abscissa".into(), "ordinate".into()),
     });
     let (x_name, y_name) = named.unwrap_or_default();
     let scale = |is_logarithmic| if is_logarithmic { Scale::Logarithmic } else { Scale::Linear };
@@ -85,6 +86,8 @@ fn curves(plot: &Plot, title: &str, table: &Table) -> Result<Figure, String> {
             (SeriesData::Reference { reference, .. }, None) => {
                 (file_name(&reference.path), Mark::Markers, None)
             }
+            // written in a `series` only
+            (SeriesData::Points { .. }, None) => (String::new(), Mark::Markers, None),
         };
         figure.series.push(Series { label, points, mark, colour });
     }

@@ -2,6 +2,7 @@
 //!
 //! Owns what is kept: points of curves, the outer faces of bodies with their values, outlines.
 
+use super::point::both;
 use super::results::Results;
 use crate::output::figure::outer_faces;
 use crate::output::{Frame, Table, TableColumn};
@@ -109,6 +110,11 @@ fn curve_table(plot: &Plot, results: &Results) -> Result<Table, String> {
                     found.map(|(_, values)| values).ok_or_else(missing)
                 };
                 column(x)?.iter().copied().zip(column(y)?.iter().copied()).collect()
+            }
+            SeriesData::Points { points, units: [x, y] } => {
+                units.get_or_insert_with(|| (x.clone(), y.clone()));
+                let read = |point| both(point, results);
+                points.iter().map(read).collect::<Result<_, _>>()?
             }
         };
         // a reference may have cells without a number

@@ -6,6 +6,7 @@
 
 mod draw;
 mod extract;
+mod point;
 mod results;
 
 pub use draw::{draw, draw_figure};
@@ -29,6 +30,7 @@ pub fn figures(
         runs: vec![RunResults {
             name: String::new(),
             tables: tables.to_vec(),
+            spacings: Vec::new(),
             folder: folder.map(Path::to_path_buf),
             provenance: provenance.lines(),
         }],

@@ -13,6 +13,8 @@ pub struct RunResults {
     pub name: String,
     /// Its tables.
     pub tables: Vec<Table>,
+    /// Spacings of its bodies by name, m.
+    pub spacings: Vec<(String, f64)>,
     /// Where its frames are.
     pub folder: Option<PathBuf>,
     /// Lines that say what it was computed from.
@@ -37,6 +39,7 @@ impl RunResults {
         name: &str,
         folder: &Path,
         records: &[String],
+        spacings: Vec<(String, f64)>,
         provenance: Vec<String>,
     ) -> Result<Self, String> {
         let mut tables = Vec::new();
@@ -45,7 +48,7 @@ impl RunResults {
             let text = fs::read_to_string(&path).map_err(|cause| format!("{}: {cause}", path.display()))?;
             tables.push(Table::parse(record, &text).map_err(|cause| format!("{}: {cause}", path.display()))?);
         }
-        Ok(Self { name: name.into(), tables, folder: Some(folder.to_path_buf()), provenance })
+        Ok(Self { name: name.into(), tables, spacings, folder: Some(folder.to_path_buf()), provenance })
     }
 }
 
@@ -60,6 +63,12 @@ impl Results {
     pub(super) fn table(&self, name: &str) -> Option<&Table> {
         let (run, inner) = self.run(name)?;
         run.tables.iter().find(|table| table.name == inner)
+    }
+
+    /// The spacing of a body of a run.
+    pub(super) fn spacing(&self, run: &str, body: &str) -> Option<f64> {
+        let run = self.runs.iter().find(|known| known.name == run)?;
+        run.spacings.iter().find(|(name, _)| name == body).map(|(_, spacing)| *spacing)
     }
 
     /// The frame of a series at a time, or the last one: between two frames positions and fields run
@@ -97,7 +106,11 @@ impl Results {
     /// What the runs were computed from.
     pub(super) fn provenance(&self) -> Vec<String> {
         let mut lines: Vec<String> = Vec::new();
-        for run in &self.runs {
+        for (number, run) in self.runs.iter().enumerate() {
+            // a run that several sources name is one, as under `--quick`
+            if self.runs[..number].iter().any(|earlier| earlier.provenance == run.provenance) {
+                continue;
+            }
             for line in &run.provenance {
                 // the program's version once
                 if !(line.starts_with("tissue ") && lines.contains(line)) {

@@ -1,6 +1,6 @@
 //! The description of pictures and figures.
 
-use super::{Field, Place, Reference};
+use super::{Field, Place, Reference, ShownPoint};
 
 /// What a plot shows beyond its curves of columns.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -60,6 +60,13 @@ pub enum SeriesData {
         y: String,
         /// Column of the abscissa.
         x: String,
+    },
+    /// Points of one number each way.
+    Points {
+        /// The points in order.
+        points: Vec<ShownPoint>,
+        /// SI units of abscissa and ordinate.
+        units: [String; 2],
     },
 }
 

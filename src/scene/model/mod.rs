@@ -11,6 +11,7 @@ mod probe;
 mod record;
 mod run;
 mod scene;
+mod shown;
 mod sweep;
 
 pub use body::*;
@@ -24,4 +25,5 @@ pub use probe::*;
 pub use record::*;
 pub use run::*;
 pub use scene::*;
+pub use shown::*;
 pub use sweep::*;

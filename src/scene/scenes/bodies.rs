@@ -147,7 +147,9 @@ impl Stage<'_> {
     pub(super) fn symmetry(&mut self, block: &Block) -> Result<(), Reported> {
         self.only_one(block)?;
         let file = Rc::clone(&self.file);
-        let members = Members::read(self.mistakes, &file, &SYMMETRY, block);
+        let path = [self.name.text.clone(), SYMMETRY.word.to_string()];
+        let path = path.each_ref().map(String::as_str);
+        let members = Members::read_with(self.mistakes, &file, &SYMMETRY, block, self.overrides, &path);
         let site = members.required(self.mistakes, &file, &SYMMETRY, block, "planes")?;
         let planes = self.chosen_list(&site, &SYMMETRY, "planes")?;
         let bounds = self.scene.bodies.iter().map(|body| body.shape.bounds());

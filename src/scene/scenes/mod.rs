@@ -25,6 +25,7 @@ mod stage;
 mod supports;
 mod tables;
 mod timetable;
+mod values;
 
 use super::blocks::unknown_block;
 use super::file::{File, Reported};
@@ -40,6 +41,7 @@ pub(super) use scope::fixed_quantity;
 pub(super) use stage::{Records, Stage};
 use std::rc::Rc;
 pub(super) use tables::Table;
+pub(super) use values::place_of_value;
 
 /// Blocks a scene can have, in the order they are read.
 const ORDER: &[&str] = &[

@@ -1,10 +1,10 @@
 //! `record` of a sweep: numbers read from the tables of each point.
 
-use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Required, Scope, Value};
+use super::super::evaluate::{Evaluator, Leaves, Lets, Outcome, Scope, Value};
 use super::super::file::{File, Reported};
 use super::super::members::Members;
 use super::super::model::{Column, Reduced, Reduction, SweepRecord, Swept, Varied};
-use super::super::scenes::{Records, Stage, column, column_dimension, column_name};
+use super::super::scenes::{Records, Stage, column, column_dimension, column_name, place_of_value};
 use super::super::words::{SWEEP_RECORD, SWEEP_WORDS};
 use crate::syntax::{Argument, Block, Code, ExprId, ExprKind, Name, Span};
 use crate::unit::{Dimension, parse_unit};
@@ -186,31 +186,14 @@ impl SweepScope<'_> {
         function: &Name,
         arguments: &[Argument],
     ) -> Outcome {
-        let (column, place) = match arguments {
-            [Argument { name: None, value: column }, Argument { name: Some(other), value: place }]
-                if other.parts.len() == 1 =>
-            {
-                (column_name(evaluator.mistakes, self.file, *column)?, (&other.parts[0], *place))
-            }
-            _ => {
-                let message = "`value` takes a column and where it is read";
-                let help = Some("write `value(record.column, t = 1 ms)`".into());
-                let span = function.span.clone();
-                return Err(evaluator.mistakes.report(self.file, Code::WrongForm, span, message, "", help));
-            }
-        };
-        let dimension = column_dimension(evaluator.mistakes, self.points, self.file, &column)?;
-        let mut abscissa = column_name(evaluator.mistakes, self.file, arguments[0].value)?;
-        abscissa.column = place.0.clone();
-        let along = column_dimension(evaluator.mistakes, self.points, self.file, &abscissa)?;
-        let required = Required { name: &place.0.text, dimension: along };
-        let value = evaluator.constant(outer, place.1, required)?;
+        let of = |mistakes: &mut _, name: &_| column_dimension(mistakes, self.points, self.file, name);
+        let found = place_of_value(evaluator, outer, function, arguments, &of)?;
         let leaf = evaluator.graph.leaf(Reduced::Where {
-            record: column.table.text,
-            column: column.column.text,
-            abscissa: abscissa.column.text,
-            value,
+            record: found.record,
+            column: found.column,
+            abscissa: found.abscissa,
+            value: found.value,
         });
-        Ok(Value::scalar(leaf, dimension))
+        Ok(Value::scalar(leaf, found.dimension))
     }
 }

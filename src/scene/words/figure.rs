@@ -1,6 +1,6 @@
 //! `figure`, its sources, and what stands in a `plot`.
 
-use crate::schema::{Choice, Declaration, Kind, Member, Parameter, Presence, Target};
+use crate::schema::{Choice, Declaration, Kind, Member, Parameter, Presence, Target, Word};
 
 const fn optional(name: &'static str, kind: Kind, without: &'static str, doc: &'static str) -> Parameter {
     Parameter { name, kind, presence: Presence::Default(without), doc }
@@ -135,15 +135,50 @@ const COLOURS: &[Choice] = &[
 /// `series name { … }`
 pub(in crate::scene) static SERIES: Declaration = part(
     "series",
-    "A curve or a set of points, of a record or of a csv(…).",
+    "A curve or a set of points, of a record or of a csv(…), or of single numbers read from several runs.",
     &[
-        required("draw", Kind::Curve, "draw = pull.F over pull.d", "One column over another."),
+        optional("draw", Kind::Curve, "none", "One column over another: `draw = pull.F over pull.d`."),
+        optional(
+            "points",
+            Kind::Expression,
+            "none",
+            "Instead of `draw` a list of points `[abscissa, ordinate]`, each a formula over numbers read from the tables of the runs.",
+        ),
         optional("label", Kind::Text, "none", "Its line in the legend."),
-        optional("mark", Kind::Choice(MARKS), "line, markers for a csv(…)", "How it is drawn."),
+        optional(
+            "mark",
+            Kind::Choice(MARKS),
+            "line, markers for a csv(…) and for points",
+            "How it is drawn.",
+        ),
         optional("colour", Kind::Choice(COLOURS), "the next of the palette", "Its colour and markers."),
     ],
     "series reference { draw = fe.F over fe.d  label = \"finite elements\"  mark = markers  colour = blue }",
 );
+
+const POINT: &str = "in `points` of `series`";
+
+/// Numbers of which the points of a series are made.
+pub(in crate::scene) static SERIES_WORDS: &[Word] = &[
+    word("max", "max(record.column)", "Largest value of a column."),
+    word("min", "min(record.column)", "Smallest value of a column."),
+    word("initial", "initial(record.column)", "First value of a column."),
+    word("final", "final(record.column)", "Last value of a column."),
+    word(
+        "value",
+        "value(record.column, F = 1 N)",
+        "Value of a column where another of the same record first takes a value, linear between rows; of a csv(…) by a spline, as in `expect`.",
+    ),
+    word(
+        "spacing",
+        "spacing(source.body)",
+        "Spacing of a body in the run that was made, the quick one as well.",
+    ),
+];
+
+const fn word(word: &'static str, form: &'static str, doc: &'static str) -> Word {
+    Word { word, form, doc, context: POINT }
+}
 
 /// `band name { … }`
 pub(in crate::scene) static BAND: Declaration = part(

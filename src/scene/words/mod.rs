@@ -27,7 +27,7 @@ pub use explain::{explain, nearest_word};
 pub(super) use expressions::{
     ENERGY_WORDS, FIELD_WORDS, FILE_SHAPES, FUNCTIONS, PLACE_WORDS, PROBES, SAMPLES, SHAPES,
 };
-pub(super) use figure::{BAND, DIMENSION, DISC, FIGURE, NOTE, OUTLINE, PANEL, SERIES, SOURCE};
+pub(super) use figure::{BAND, DIMENSION, DISC, FIGURE, NOTE, OUTLINE, PANEL, SERIES, SERIES_WORDS, SOURCE};
 pub(super) use fit::{FIT, FIT_WORDS};
 pub(super) use law::{ENERGY, FRAME, MATERIAL, SCENE};
 pub(super) use load::{BODY_FORCE, GRAVITY, HOLD, MOVE, PRESSURE, PULL, SLIDE, START, TRACTION};
@@ -93,6 +93,7 @@ static VOCABULARY: Vocabulary = Vocabulary {
         PATHS,
         POINT_WORDS,
         SWEEP_WORDS,
+        SERIES_WORDS,
         FIT_WORDS,
         CHECK_WORDS,
         later::STATEMENTS,

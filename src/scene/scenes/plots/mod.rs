@@ -7,6 +7,7 @@ mod columns;
 mod drawing;
 mod fields;
 mod series;
+mod shown;
 
 use super::super::blocks::unknown_block;
 use super::super::file::{File, Reported};

@@ -15,7 +15,41 @@ impl Stage<'_> {
     pub(super) fn series(&mut self, block: &Block, axes: &mut Axes) -> Result<DrawnSeries, Reported> {
         let file = Rc::clone(&self.file);
         let members = Members::read(self.mistakes, &file, &SERIES, block);
-        let site = members.required(self.mistakes, &file, &SERIES, block, "draw")?;
+        let (data, is_table) = self.data(block, &members, axes)?;
+        let look = match members.written("mark") {
+            Some(site) => look(self.choice(site, &SERIES, "mark")?),
+            None if is_table => Look::Markers,
+            None => Look::Line,
+        };
+        let colour = self.colour(&members, &SERIES)?;
+        let label = self.text(&members, "label")?.unwrap_or_default();
+        Ok(DrawnSeries { data, label, look, colour })
+    }
+
+    /// What a series shows, and whether that is single points rather than a run's course.
+    fn data(
+        &mut self,
+        block: &Block,
+        members: &Members,
+        axes: &mut Axes,
+    ) -> Result<(SeriesData, bool), Reported> {
+        let file = Rc::clone(&self.file);
+        let site = match (members.written("draw"), members.written("points")) {
+            (Some(site), None) => site,
+            (None, Some(site)) => {
+                let (points, units) = self.shown(site, axes)?;
+                return Ok((SeriesData::Points { points, units }, true));
+            }
+            (found, _) => {
+                let (code, message) = match found {
+                    Some(_) => (Code::Conflict, "a series has either `draw` or `points`"),
+                    None => (Code::MissingKey, "the series shows nothing"),
+                };
+                let help = "write `draw = record.y over record.x`, or `points = [[x, y]]` with numbers read from tables";
+                let span = block.kind.span.clone();
+                return Err(self.mistakes.report(&file, code, span, message, "", Some(help.into())));
+            }
+        };
         // a table read with csv(…) is known by one name; anything else is a record
         let is_table = match &file.tree.expr(site.id).kind {
             ExprKind::Binary { operator: BinaryOperator::Over, left, .. } => {
@@ -31,14 +65,7 @@ impl Stage<'_> {
             let (y, x) = self.recorded(&file, site.id, axes)?;
             SeriesData::Record { record: y.table.text, y: y.column.text, x: x.column.text }
         };
-        let look = match members.written("mark") {
-            Some(site) => look(self.choice(site, &SERIES, "mark")?),
-            None if is_table => Look::Markers,
-            None => Look::Line,
-        };
-        let colour = self.colour(&members, &SERIES)?;
-        let label = self.text(&members, "label")?.unwrap_or_default();
-        Ok(DrawnSeries { data, label, look, colour })
+        Ok((data, is_table))
     }
 
     /// The number of the colour chosen, if one is.
