@@ -19,14 +19,18 @@
 //! lattice the layers have Gregory's 3/8, 7/6, 23/24, 1 of a cell instead of the trapezium rule's 1/2, 1, 1, 1. They
 //! are what gradients and their columns can both be of second order with.
 //!
-//! The fit on a face uses its own nodes, so no traction acts inside. The nodes of a curved face do not tell
-//! second derivatives along it from its curvature: a body that has one keeps the integrals of its hats.
+//! The fit on a face uses its own nodes, so no traction acts inside; a face of several planes that meet at edges, as
+//! the inner one of an L, is fitted plane by plane. The nodes of a curved face do not tell second derivatives along
+//! it from its curvature: a body that has one keeps the integrals of its hats.
+
+mod patch;
 
 use super::error::DiscretisationError;
 use super::grid::{cell_hats, quad_hats};
-use super::particles::{FaceNodes, Particles};
+use super::particles::Particles;
 use crate::tensor::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
+use patch::Patch;
 use rayon::prelude::*;
 
 /// Three-point Gauss rule, exact to degree 5: quadratic fields on trilinear cells are of degree 4 in each variable.
@@ -42,9 +46,6 @@ const PLANE: usize = 9;
 const SECOND: [(usize, (usize, usize)); 6] =
     [(2, (0, 0)), (6, (1, 1)), (18, (2, 2)), (4, (0, 1)), (12, (1, 2)), (10, (0, 2))];
 
-/// How far normals of a plane face may differ.
-const FLATNESS: f64 = 1e-9;
-
 impl Particles {
     /// Replaces volumes and areas by such that integrate quadratic fields, and finds the first moments of areas.
     ///
@@ -55,12 +56,12 @@ impl Particles {
     /// [`DiscretisationError::SingularQuadratics`] if the nodes round a cell do not tell products of quadratics
     /// apart.
     pub fn integrate_quadratics(&mut self) -> Result<(), DiscretisationError> {
-        let normals: Option<Vec<Vec3>> = self.faces.iter().map(|face| self.plane_normal(face)).collect();
-        if let Some(normals) = normals {
+        let patches: Option<Vec<Vec<Patch>>> =
+            self.faces.iter().map(|face| patch::planes(face, &self.position)).collect();
+        if let Some(patches) = patches {
             let volume = self.quadratic_volumes()?;
-            if volume.iter().all(|&v| v > 0.0) {
+            if volume.iter().all(|&v| v > 0.0) && self.integrate_faces(&patches) {
                 self.volume = volume;
-                self.integrate_faces(&normals)?;
             }
         }
         self.balance_second_moments();
@@ -90,20 +91,23 @@ impl Particles {
         Ok(volume)
     }
 
-    /// `A_a N_a = ∮ Ñ_a N dS` of every face, and `B_a`.
-    fn integrate_faces(&mut self, normals: &[Vec3]) -> Result<(), DiscretisationError> {
+    /// `A_a N_a = ∮ Ñ_a N dS` of every face, and `B_a`; nothing changes, and it is told, where the nodes of a plane do
+    /// not tell products of quadratics apart.
+    fn integrate_faces(&mut self, patches: &[Vec<Patch>]) -> bool {
         let mut moment = vec![Mat3::zeros(); self.len()];
-        let areas: Result<Vec<Vec<Vec3>>, DiscretisationError> = self
-            .faces
-            .iter()
-            .zip(normals)
-            .map(|(face, normal)| self.face_integrals(face, normal, &mut moment))
-            .collect();
-        for (face, area) in self.faces.iter_mut().zip(areas?) {
+        let mut areas: Vec<Vec<Vec3>> = self.faces.iter().map(|face| face.area.clone()).collect();
+        for ((face, patches), area) in self.faces.iter().zip(patches).zip(&mut areas) {
+            for patch in patches {
+                if self.patch_integrals(&face.nodes, patch, area, &mut moment).is_none() {
+                    return false;
+                }
+            }
+        }
+        for (face, area) in self.faces.iter_mut().zip(areas) {
             face.area = area;
         }
         self.first_moment = moment;
-        Ok(())
+        true
     }
 
     fn frame(&self, corner: &[Vec3], axes: Mat3) -> Frame {
@@ -120,19 +124,20 @@ impl Particles {
         }
     }
 
-    /// Areas of a plane face, and its share in the first moments.
-    fn face_integrals(
+    /// Changes the areas of a plane's nodes, which are among those of its face, and adds its share of the first
+    /// moments.
+    fn patch_integrals(
         &self,
-        face: &FaceNodes,
-        normal: &Vec3,
+        nodes: &[u32],
+        Patch { normal, quads }: &Patch,
+        area: &mut [Vec3],
         moment: &mut [Mat3],
-    ) -> Result<Vec<Vec3>, DiscretisationError> {
-        let rings = Rings::new(&face.quads, self.len());
+    ) -> Option<()> {
+        let rings = Rings::new(quads, self.len());
         let along = normal.cross(&Vec3::ith(normal.iamin(), 1.0)).normalize();
         let axes =
             Mat3::from_rows(&[along.transpose(), normal.cross(&along).transpose(), normal.transpose()]);
-        let mut area = face.area.clone();
-        for quad in &face.quads {
+        for quad in quads {
             let corner = quad.map(|a| self.position[a as usize]);
             for (x, hats, normal) in quad_points(&corner) {
                 for (&a, hat) in quad.iter().zip(hats) {
@@ -140,31 +145,16 @@ impl Particles {
                 }
             }
             let frame = self.frame(&corner, axes);
-            let ring = rings.around(quad, &face.quads);
-            let shares = self
-                .shares(&ring, &frame, &quad_excess(&corner, &frame))
-                .ok_or_else(|| self.singular(quad, &ring))?;
+            let ring = rings.around(quad, quads);
+            let shares = self.shares(&ring, &frame, &quad_excess(&corner, &frame))?;
             for (a, share) in ring.into_iter().zip(shares) {
-                let node = face.nodes.partition_point(|&node| node < a);
-                area[node] -= share[0] * normal;
+                area[nodes.partition_point(|&node| node < a)] -= share[0] * normal;
                 let place = self.position[a as usize] - frame.origin;
                 let first = share.fixed_rows::<3>(1) - share[0] * place;
                 moment[a as usize] -= first * normal.transpose();
             }
         }
-        Ok(area)
-    }
-
-    /// The normal of a face if it is plane.
-    fn plane_normal(&self, face: &FaceNodes) -> Option<Vec3> {
-        let normals = || {
-            face.quads.iter().map(|quad| {
-                let [a, b, c, d] = quad.map(|a| self.position[a as usize]);
-                (c - a).cross(&(d - b)).normalize()
-            })
-        };
-        let first = normals().next()?;
-        normals().all(|normal| (normal - first).amax() < FLATNESS).then_some(first)
+        Some(())
     }
 
     /// What each node of a ring takes of the excess of the monomials: `w_a p(X_a)ᵀ M⁻¹ s`, a column each.

@@ -54,6 +54,53 @@ fn volumes_and_areas_integrate_quadratic_fields() {
     }
 }
 
+/// An L, 0.9 × 0.6 × 0.5 without its upper right quarter: its inner face has two planes.
+#[test]
+fn a_face_of_two_planes_is_integrated_plane_by_plane() {
+    let whole = Shape::Box { min: Vec3::zeros(), max: Vec3::new(0.9, 0.6, 0.5) };
+    let corner = Shape::Box { min: Vec3::new(0.4, 0.3, 0.0), max: Vec3::new(0.9, 0.6, 0.5) };
+    let shape = Shape::Difference(Box::new(whole), vec![corner]);
+    let integral = |power: [i32; 3]| {
+        let part = |low: [f64; 3], high: [f64; 3]| -> f64 {
+            let one =
+                |i: usize| (high[i].powi(power[i] + 1) - low[i].powi(power[i] + 1)) / f64::from(power[i] + 1);
+            one(0) * one(1) * one(2)
+        };
+        part([0.0; 3], [0.9, 0.6, 0.5]) - part([0.4, 0.3, 0.0], [0.9, 0.6, 0.5])
+    };
+    for jitter in [0.0, 0.2] {
+        let hats = Particles::lattice(&shape, 0.1, [None; 3], jitter).unwrap();
+        let mut particles = hats.clone();
+        particles.integrate_quadratics().unwrap();
+        assert_eq!(particles.first_moment.len(), particles.len());
+        assert!(particles.volume.iter().all(|&v| v > 0.0));
+        let worst = |particles: &Particles| {
+            let area = particles.boundary_area();
+            let mut worst = 0.0_f64;
+            for power in QUADRATICS {
+                let value = |a: usize| monomial(&particles.position[a], power);
+                let nodes = 0..particles.len();
+                let volume: f64 = nodes.clone().map(|a| particles.volume[a] * value(a)).sum();
+                worst = worst.max((volume - integral(power)).abs());
+                for axis in 0..3 {
+                    let mut slope = power;
+                    slope[axis] -= 1;
+                    let along = match power[axis] {
+                        0 => 0.0,
+                        n => f64::from(n) * integral(slope),
+                    };
+                    let sum: f64 = nodes.clone().map(|a| area[a][axis] * value(a)).sum();
+                    worst = worst.max((sum - along).abs());
+                }
+            }
+            worst
+        };
+        // as on the block
+        assert!(worst(&particles) < 1e-13, "{:e}", worst(&particles));
+        assert!(worst(&hats) > 1e-4);
+    }
+}
+
 #[test]
 fn first_moments_and_areas_are_what_the_boundary_integrates() {
     let mut particles = block(0.3);

@@ -149,7 +149,7 @@ pub(in crate::scene) static RUN: Declaration = Declaration {
             name: "completeness",
             kind: Kind::Choice(COMPLETENESS),
             presence: Presence::Default("linear"),
-            doc: "Fields whose gradients are exact, at displaced nodes and boundaries too. `quadratic` makes stress and volume of second order as well, whatever the jitter, by volumes and areas that integrate quadratic fields and gradients whose forces are exact for linear stresses. It has twice the neighbours and takes up to twice the steps, and needs three layers of particles across the body (four where they are displaced) and integration_consistency = on.",
+            doc: "Fields whose gradients are exact, at displaced nodes and boundaries too. `quadratic` makes stress and volume of second order as well, whatever the jitter, by volumes and areas that integrate quadratic fields and gradients whose forces are exact for linear stresses; of a body with a curved face, whose volumes stay, only the gradients are made so. It has twice the neighbours and takes up to twice the steps, and needs three layers of particles across the body (four where they are displaced) and integration_consistency = on.",
         },
         Parameter {
             name: "momentum_dissipation",
