@@ -63,3 +63,37 @@ drive d {
     let table = text(&contents(&out)["r.csv"]);
     assert_eq!(table.lines().filter(|line| !line.starts_with('#')).count(), 3, "{table}");
 }
+
+#[test]
+fn a_mistake_on_the_command_line_shows_the_argument_its_column_and_what_is_required() {
+    let file = folder("set").join("cube.tissue");
+    fs::write(&file, cube("  run { until = 1 ms }")).expect("writable");
+    let cases = [
+        ("run.cfl=foo", "--set:1:9\n", "`cfl` is a number"),
+        ("run.cfl=0.5mm", "--set:1:9\n", "`cfl` is a number, but the value is a length"),
+        ("gel.mu=7kpa", "--set:1:9\n", "write `kPa`"),
+        ("b.spacing=0.25", "--set:1:11\n", "`spacing` is a length"),
+        ("b.spacing=0.25 mm mm", "--set:1:19\n", "one value is required"),
+        ("run.until=2 ms)", "--set:1:15\n", "one value is required"),
+        ("run.nix=3", "--set:1:1\n", "`run.nix`"),
+        ("β.ν=3", "--set:1:1\n", "`β.ν`"),
+        ("run.loading=quick", "--set:1:13\n", "write one of dynamic, quasi_static"),
+    ];
+    for (argument, place, required) in cases {
+        let output = tissue(&["plan", path(&file), "--set", argument]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{argument}: {said}");
+        let shown = format!("1 | {argument}\n");
+        for part in [place, &shown, required] {
+            assert!(said.contains(part), "{argument}: `{part}` is missing in: {said}");
+        }
+    }
+    let plan = text(&tissue(&["plan", path(&file), "--set", "run.cfl=0.4"]).stdout);
+    let line = plan.lines().find(|line| line.trim_start().starts_with("cfl")).expect("the plan has the line");
+    assert!(line.ends_with("0.4               --set run.cfl"), "{line}");
+    // what only the particles show repeats what was set, beside the line it replaces
+    let set = ["--set", "strip.spacing=0.7mm"];
+    let output = tissue(&[&["plan", "tests/scenes/strip.tissue", "--cost"], &set[..]].concat());
+    let said = text(&output.stderr);
+    assert!(said.contains("strip.tissue:13:3\n  with --set strip.spacing=0.7mm"), "{said}");
+}

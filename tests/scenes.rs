@@ -143,7 +143,7 @@ sweep s {{ of = pull  vary gel.mu = [5 kPa, 6 kPa]  record all {{ P = final(test
     let two = text("neo_hooke(mu = 1 kPa) + neo_hooke(mu = 2 kPa)");
     let told: String = resolve_with("text", &two, &set).1.iter().map(Mistake::render).collect();
     let help = "help: write `gel.neo_hooke.mu` or `gel.neo_hooke2.mu`";
-    assert!(told.contains("--> --set gel.mu:1:1") && told.contains("--> text:5:"), "{told}");
+    assert!(told.contains("--> --set:1:1") && told.contains("--> text:5:"), "{told}");
     assert_eq!(told.matches(help).count(), 2, "{told}");
 }
 

@@ -4,7 +4,7 @@ use super::Exit;
 use super::arguments::PlanOptions;
 use super::input::{chosen, read_or_explain};
 use super::memory::fits;
-use super::run::tell_place;
+use super::run::{tell_place, tell_set};
 use crate::plan::{DrivePlan, FitPlan, Plan};
 use crate::run::{Cost, side_by_side};
 use crate::scene::{Scene, Sweep, Swept};
@@ -34,7 +34,8 @@ fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
         let plan = Plan::new(scene);
         say_on!("{plan}");
         if options.cost {
-            say_on!("{}", measured(scene, &plan)?);
+            let cost = measured(scene, &plan).inspect_err(|_| tell_set(&options.overrides))?;
+            say_on!("{cost}");
         }
     }
     for sweep in chosen.sweeps {

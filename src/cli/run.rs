@@ -137,6 +137,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         Err(cause) => {
             tell!("error: scene `{}`: {cause}", scene.name);
             tell_place(&cause, scene);
+            tell_set(&options.overrides);
             if !cause.is_input() {
                 return Exit::Failed;
             }
@@ -157,6 +158,7 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
     if let Some(cause) = failure {
         tell!("error: scene `{}` stopped: {cause}", scene.name);
         tell_place(&cause, scene);
+        tell_set(&options.overrides);
         tell!("  everything up to t = {:.4e} s is kept in {}", report.end_time, folder.display());
     }
     if !options.quiet {
@@ -171,6 +173,15 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
 pub(super) fn tell_place(cause: &RunError, scene: &Scene) {
     if let Some(place) = cause.place(scene) {
         tell_at(place);
+    }
+}
+
+/// The values that stand in the place of those at the place.
+pub(super) fn tell_set(overrides: &[(String, String)]) {
+    if !overrides.is_empty() {
+        let set: Vec<String> =
+            overrides.iter().map(|(path, value)| format!("--set {path}={value}")).collect();
+        tell!("  with {}", set.join(" "));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::discretisation::{Consistency, Kernel};
 use crate::scene::{
-    AngularMomentum, Formulation, Integrator, InterfaceStates, Loading, Scene, Scheme, VolumeDissipation,
+    AngularMomentum, Formulation, Integrator, InterfaceStates, Loading, Run, Scene, Scheme, VolumeDissipation,
 };
 
 /// One numerical choice.
@@ -25,8 +25,8 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     };
     let written = |key: &str| run.written.iter().any(|written| written == key);
     let origin = |key: &str| match key {
-        _ if written(key) => format!("line {}", run.place.line),
-        "cfl" if written("integrator") => format!("integrator of line {}", run.place.line),
+        _ if written(key) => written_at(run, key),
+        "cfl" if written("integrator") => format!("integrator of {}", written_at(run, "integrator")),
         "damping" | "volume_relaxation" => "the plan".into(),
         _ => format!("scheme {scheme}"),
     };
@@ -122,6 +122,14 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         },
     );
     choices
+}
+
+/// Where a key of `run` is written: in the block, or on the command line.
+pub(super) fn written_at(run: &Run, key: &str) -> String {
+    if run.set.iter().any(|set| set == key) {
+        return format!("--set run.{key}");
+    }
+    format!("line {}", run.place.line)
 }
 
 fn on_off(on: bool) -> String {

@@ -1,5 +1,6 @@
 //! The decisions, one function each for fields and passes.
 
+use super::choice::written_at;
 use super::reason::{projection, why_dissipated, why_stiffened};
 use super::{Decision, Field, Pass, Plan, choices};
 use crate::energy::{Invariant, Leaf};
@@ -34,15 +35,16 @@ impl<'a> Facts<'a> {
         let (formulation, why_formulation) = match scene.run.formulation {
             Some(formulation) => {
                 let who = if scene.run.written.iter().any(|key| key == "formulation") {
-                    line(&scene.run.place)
+                    written_at(&scene.run, "formulation")
                 } else {
                     "chosen by the scheme".into()
                 };
                 (formulation, who)
             }
-            None if scene.run.volume_dissipation != VolumeDissipation::Off => {
-                (Formulation::Pfj, format!("volume dissipation changes J, {}", line(&scene.run.place)))
-            }
+            None if scene.run.volume_dissipation != VolumeDissipation::Off => (
+                Formulation::Pfj,
+                format!("volume dissipation changes J, {}", written_at(&scene.run, "volume_dissipation")),
+            ),
             None => (
                 Formulation::Pf,
                 "without D(J) the evolved maps equal cof F and det F to second order in the time step".into(),
@@ -252,7 +254,7 @@ fn passes(scene: &Scene, facts: &Facts) -> Vec<Decision<Pass>> {
         matches!(run.loading, Loading::QuasiStatic { .. }),
         match run.loading {
             Loading::QuasiStatic { .. } => {
-                format!("loading is quasi-static, {}", line(&run.place))
+                format!("loading is quasi-static, {}", written_at(run, "loading"))
             }
             Loading::Dynamic => "loading is dynamic: inertia is part of the answer".into(),
         },

@@ -2,7 +2,7 @@
 //!
 //! Owns what is said of a pass as its weights are set; whether the pass is live is decided beside.
 
-use super::decide::line;
+use super::choice::written_at;
 use crate::scene::{AngularMomentum, InterfaceStates, Run, Scene};
 
 /// Which waves D(p) damps as its weights are set.
@@ -32,8 +32,8 @@ pub(super) fn why_dissipated(run: &Run) -> String {
         Damps::Nothing => "adds nothing: both wave weights are 0",
     };
     match run.momentum_dissipation {
-        InterfaceStates::Off => format!("switched off, {}", line(&run.place)),
-        _ if damps(run) == Damps::Nothing => format!("{what}, {}", line(&run.place)),
+        InterfaceStates::Off => format!("switched off, {}", written_at(run, "momentum_dissipation")),
+        _ if damps(run) == Damps::Nothing => format!("{what}, {}", written_at(run, "shear_wave_weight")),
         InterfaceStates::Constant => format!("{what}; states of the particles (33)"),
         InterfaceStates::Linear => format!("{what}; states carried to mid-pair (33)"),
         InterfaceStates::Limited => {
@@ -67,6 +67,6 @@ pub(super) fn projection(scene: &Scene) -> (bool, String) {
     } else if (0..scene.bodies.len()).all(held) {
         (false, "every body is held, so reactions change its angular momentum".into())
     } else {
-        (true, format!("internal forces lose their torque, {}", line(&scene.run.place)))
+        (true, format!("internal forces lose their torque, {}", written_at(&scene.run, "angular_momentum")))
     }
 }

@@ -101,6 +101,22 @@ impl Mistakes {
         self.push(file, diagnostic)
     }
 
+    /// Gives the last mistake a help, if it is this one and has none.
+    pub(super) fn advise(&mut self, code: Code, span: &Span, help: impl FnOnce() -> String) {
+        if let Some(Mistake { diagnostic, .. }) = self.list.last_mut()
+            && diagnostic.code == code
+            && diagnostic.help.is_none()
+            && diagnostic.labels.first().is_some_and(|label| label.span == *span)
+        {
+            diagnostic.help = Some(help());
+            if let Some((last, before)) = self.list.split_last()
+                && before.contains(last)
+            {
+                self.list.pop();
+            }
+        }
+    }
+
     /// Adds mistakes found elsewhere; whether there are any.
     pub(super) fn extend(&mut self, found: impl IntoIterator<Item = Mistake>) -> bool {
         let mut any = false;

@@ -24,8 +24,13 @@ impl<L: Leaves> Evaluator<'_, L> {
         id: ExprId,
         required: Required,
     ) -> Result<Scalar, Reported> {
-        let scalar = self.scalar(scope, id)?;
-        self.require(scope.file(), id, scalar, required)
+        let file = scope.file();
+        let scalar = self.scalar(scope, id).inspect_err(|_| {
+            if let ExprKind::Name(_) = file.tree.expr(id).kind {
+                self.mistakes.advise(Code::UnknownName, &file.span(id), || unknown(required));
+            }
+        })?;
+        self.require(file, id, scalar, required)
     }
 
     /// Three components of a required dimension.
@@ -164,6 +169,13 @@ fn help(file: &File, id: ExprId, dimension: Dimension) -> Option<String> {
         )),
         None => Some(format!("{} is measured in {}", dimension.describe(), units.join(", "))),
     }
+}
+
+/// What to write where a word stands that nothing declares.
+fn unknown(required: Required) -> String {
+    let Required { name, dimension } = required;
+    let example = example_with_unit("0.5", dimension);
+    format!("`{name}` is {}: write one, as `{example}`, or a name that `let` declares", dimension.describe())
 }
 
 /// The unit a soft-tissue researcher would most likely write.

@@ -8,4 +8,4 @@ mod parameter;
 pub(super) mod within;
 
 pub(super) use entries::{ExpectEntry, Members, ParamEntry, ParameterDef, Site, VaryEntry, duplicate};
-pub(super) use overrides::{Overrides, ambiguous};
+pub(super) use overrides::{COMMAND_LINE, Overrides, ambiguous};

@@ -9,6 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
+/// What stands for the file of a value given on the command line.
+pub(in crate::scene) const COMMAND_LINE: &str = "--set";
+
 /// Values by path: `strip.spacing`, `run.until`, `adventitia.kappa`.
 #[derive(Debug, Default)]
 pub(in crate::scene) struct Overrides {
@@ -24,12 +27,14 @@ impl Overrides {
     pub(in crate::scene) fn read(mistakes: &mut Mistakes, overrides: &[(String, String)]) -> Self {
         let mut values = BTreeMap::new();
         for (path, value) in overrides {
-            // A source of its own, so that a mistake shows the value as it was given.
-            let source = Source { name: format!("--set {path}"), text: value.clone() };
-            match parse_expression(&source) {
+            // A source of its own, so that a mistake shows the argument as it was given; read with the path blanked,
+            // so that columns are those of the argument.
+            let source = Source { name: COMMAND_LINE.into(), text: format!("{path}={value}") };
+            let blanked = format!("{}{value}", " ".repeat(path.len() + 1));
+            match parse_expression(&Source { name: source.name.clone(), text: blanked }) {
                 Ok((tree, id)) => {
                     let file = Rc::new(File { source: Arc::new(source), tree, damaged: false });
-                    let name = Name { text: path.clone(), span: 0..value.len() };
+                    let name = Name { text: path.clone(), span: 0..path.len() };
                     values.insert(path.clone(), (Site { file, id }, name));
                 }
                 Err(diagnostics) => {

@@ -123,6 +123,8 @@ pub struct Run {
     pub angular_momentum: AngularMomentum,
     /// Steps between two refreshes of the wave speed.
     pub wave_speed_every: u32,
-    /// Which of the choices above were written in the file, by key.
+    /// Which of the choices above were written in the file or on the command line, by key.
     pub written: Vec<String>,
+    /// Which of them were given on the command line.
+    pub set: Vec<String>,
 }

@@ -1,7 +1,7 @@
 //! `run`: end time and numerical choices, defaults filled in by the scheme.
 
 use super::super::file::Reported;
-use super::super::members::{Members, Site};
+use super::super::members::{COMMAND_LINE, Members, Site};
 use super::super::model::*;
 use super::super::words::RUN;
 use super::stage::Stage;
@@ -38,6 +38,7 @@ pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
         angular_momentum: AngularMomentum::Free,
         wave_speed_every: if seed { 0 } else { 10 },
         written: Vec::new(),
+        set: Vec::new(),
     }
 }
 
@@ -66,6 +67,9 @@ impl Stage<'_> {
             .filter(|key| members.written(key.name).is_some())
             .map(|key| key.name.into())
             .collect();
+        let given =
+            |key: &&String| members.written(key).is_some_and(|site| site.file.source.name == COMMAND_LINE);
+        run.set = run.written.iter().filter(given).cloned().collect();
         self.consistent(&run, &members, &block.kind.span)?;
         if sound && until.is_ok() {
             self.run = Some(run);

@@ -95,6 +95,14 @@ pub fn parse_expression(source: &Source) -> Result<(SyntaxTree, ExprId), Vec<Dia
             // The brace that closes the block is not the user's.
             mistake.message = mistake.message.replace("found `}`", "found its end");
         }
+        let of_block = mistake.code == Code::UnclosedBracket
+            && mistake.labels.first().is_some_and(|label| label.span.start < BEFORE.len());
+        if of_block || mistake.code == Code::ExpectedEntry {
+            // Nor is the block: what would close it or be its next entry is too much.
+            let found = mistake.labels.last().map_or(0..0, |label| label.span.clone());
+            *mistake =
+                Diagnostic::new(Code::UnexpectedToken, "one value is required", found, "more than a value");
+        }
         mistake.labels.iter_mut().for_each(|label| label.span = inside(&label.span));
     }
     if !mistakes.is_empty() {
