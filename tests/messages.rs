@@ -97,3 +97,59 @@ fn a_mistake_on_the_command_line_shows_the_argument_its_column_and_what_is_requi
     let said = text(&output.stderr);
     assert!(said.contains("strip.tissue:13:3\n  with --set strip.spacing=0.7mm"), "{said}");
 }
+
+#[test]
+fn a_value_for_one_scene_is_judged_by_that_scene_alone() {
+    let home = folder("one_scene");
+    let file = home.join("several.tissue");
+    let body = |name: &str, material: &str| {
+        format!(
+            "  body {name} {{ shape = box(1 mm, 1 mm, 1 mm)  spacing = 0.5 mm  material = {material} }}\n"
+        )
+    };
+    let energy = "energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 10 kPa)  density = 1000 kg/m^3";
+    let (short, long) = (body("b", "gel"), body("c", "stiff"));
+    let spec = format!(
+        "tissue 1
+import std.energies {{ neo_hooke, vol_quadratic }}
+material gel {{ {energy} }}
+material stiff {{ {energy} }}
+scene short {{
+{short}  run {{ until = 1 ms }}
+  record r {{ every = 0.1 ms  e = total_energy }}
+}}
+scene long {{
+{long}  pull c.xmax {{ displacement = ramp(0 mm -> 0.1 mm, over = 2 ms)  grip = rigid }}
+  run {{ until = 2 ms }}
+  record r {{ every = 0.1 ms  e = total_energy }}
+}}
+sweep w {{ of = short   vary gel.mu = [1 kPa, 2 kPa]   record t {{ e = max(r.e) }} }}
+"
+    );
+    fs::write(&file, spec).expect("writable");
+    let plan = |only: &str, set: &str| tissue(&["plan", path(&file), "--scene", only, "--set", set]);
+    // shorter than a ramp of the other scene
+    for only in ["short", "w"] {
+        let output = plan(only, "run.until=0.5ms");
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    }
+    let cases = [
+        ("long", "run.until=0.5ms", "after the end of the run"),
+        ("short", "c.spacing=0.25mm", "nothing in `short` is called `c.spacing`"),
+        ("w", "c.spacing=0.25mm", "nothing in `w` is called `c.spacing`"),
+        ("short", "stiff.mu=2kPa", "`short` is not made of `stiff`"),
+        ("shrt", "run.until=0.5ms", "no scene, drive, fit or sweep `shrt`"),
+    ];
+    for (only, set, told) in cases {
+        let output = plan(only, set);
+        assert_eq!(output.status.code(), Some(2), "{only} {set}");
+        assert!(text(&output.stderr).contains(told), "{}", text(&output.stderr));
+    }
+    // a mistake of the other scene is still one of the file
+    let broken =
+        fs::read_to_string(&file).expect("written").replace("displacement = ramp", "displacment = ramp");
+    fs::write(&file, broken).expect("writable");
+    let output = plan("short", "run.until=0.5ms");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("`displacement`"), "{}", text(&output.stderr));
+}

@@ -60,7 +60,7 @@ pub struct PlanOptions {
     /// The file
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Only this scene or sweep
+    /// Only this scene, drive, fit, sweep or trade; --set is for it alone
     #[arg(long, value_name = "NAME")]
     pub scene: Option<String>,
     /// Put a value in place of the one written: strip.spacing=0.25mm
@@ -86,7 +86,7 @@ pub struct RunOptions {
     /// Put a value in place of the one written: strip.spacing=0.25mm
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = parse_override)]
     pub overrides: Vec<(String, String)>,
-    /// Only this scene, drive, sweep or trade
+    /// Only this scene, drive, fit, sweep or trade; --set is for it alone
     #[arg(long, value_name = "NAME")]
     pub scene: Option<String>,
     /// Replace the results of an earlier run in the output folder

@@ -3,7 +3,8 @@
 use super::Exit;
 use crate::output::provenance;
 use crate::scene::{
-    Document, Drive, FileSystem, Fit, LoadError, Loader, Mistake, Scene, Sweep, resolve, resolve_runs,
+    Document, Drive, FileSystem, Fit, LoadError, Loader, Mistake, Scene, Sweep, resolve, resolve_one,
+    resolve_runs,
 };
 use crate::syntax::Source;
 use std::cell::RefCell;
@@ -49,10 +50,11 @@ pub fn read(path: &Path, overrides: &[(String, String)]) -> Result<Input, String
     read_with(path, overrides, resolve)
 }
 
-/// How a text becomes a document.
-type Resolver = fn(&Source, &dyn Loader, &[(String, String)]) -> (Document, Vec<Mistake>);
-
-fn read_with(path: &Path, overrides: &[(String, String)], resolve: Resolver) -> Result<Input, String> {
+fn read_with(
+    path: &Path,
+    overrides: &[(String, String)],
+    resolve: impl Fn(&Source, &dyn Loader, &[(String, String)]) -> (Document, Vec<Mistake>),
+) -> Result<Input, String> {
     let name = path.to_string_lossy().into_owned();
     let text = FileSystem.load(&name).map_err(|cause| format!("error: cannot read {name}: {cause}"))?;
     let loader = Remembering { read: RefCell::default() };
@@ -72,6 +74,23 @@ fn read_with(path: &Path, overrides: &[(String, String)], resolve: Resolver) -> 
 /// [`Exit::WrongInput`] after printing why.
 pub fn read_or_explain(path: &Path, overrides: &[(String, String)]) -> Result<Input, Exit> {
     sound(read(path, overrides))
+}
+
+/// The same for one of its scenes, drives, fits and sweeps, which alone the values are given to.
+///
+/// # Errors
+/// As [`read_or_explain`].
+pub fn read_one_or_explain(
+    path: &Path,
+    overrides: &[(String, String)],
+    only: Option<&str>,
+) -> Result<Input, Exit> {
+    match only {
+        Some(only) if !overrides.is_empty() => {
+            sound(read_with(path, overrides, |source, loader, set| resolve_one(source, loader, set, only)))
+        }
+        _ => read_or_explain(path, overrides),
+    }
 }
 
 /// The same of a file's scenes and drives alone, without what must hold of them.

@@ -2,7 +2,7 @@
 
 use super::Exit;
 use super::arguments::PlanOptions;
-use super::input::{chosen, read_or_explain};
+use super::input::{chosen, read_one_or_explain};
 use super::memory::fits;
 use super::run::{tell_place, tell_set};
 use crate::plan::{DrivePlan, FitPlan, Plan};
@@ -18,7 +18,7 @@ pub fn plan(options: &PlanOptions) -> Exit {
 }
 
 fn try_plan(options: &PlanOptions) -> Result<(), Exit> {
-    let input = read_or_explain(&options.file, &options.overrides)?;
+    let input = read_one_or_explain(&options.file, &options.overrides, options.scene.as_deref())?;
     let chosen = chosen(&input, options.scene.as_deref())?;
     for drive in &chosen.drives {
         say_on!("{}", DrivePlan(drive));

@@ -5,7 +5,7 @@ use super::arguments::RunOptions;
 use super::drive::run_drive;
 use super::fit::run_fit;
 use super::folder::{announce, prepare, withdraw};
-use super::input::{Input, chosen, read_or_explain};
+use super::input::{Input, chosen, read_one_or_explain};
 use super::memory::fits;
 use super::progress::Bar;
 use super::sweep::run_sweep;
@@ -28,7 +28,7 @@ pub fn trade(options: &RunOptions) -> Exit {
 }
 
 fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
-    let input = match read_or_explain(&options.file, &options.overrides) {
+    let input = match read_one_or_explain(&options.file, &options.overrides, options.scene.as_deref()) {
         Ok(input) => input,
         Err(exit) => return exit,
     };

@@ -29,6 +29,6 @@ pub use file::Mistake;
 pub use library::{LibraryFile, library};
 pub use loader::{FileSystem, LoadError, Loader, Memory};
 pub use model::*;
-pub use resolve::{resolve, resolve_runs};
+pub use resolve::{resolve, resolve_one, resolve_runs};
 pub use scenes::{ERRORS, FITTED};
 pub use words::{explain, nearest_word, vocabulary};

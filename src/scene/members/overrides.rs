@@ -102,8 +102,23 @@ impl Overrides {
         Some(meant.iter().cloned().collect())
     }
 
-    /// Reports the values nothing asked for, and those that several parameters could mean.
-    pub(in crate::scene) fn finish(&self, mistakes: &mut Mistakes) {
+    /// Reports a value as not used, at its path.
+    pub(in crate::scene) fn refuse(
+        &self,
+        mistakes: &mut Mistakes,
+        path: &str,
+        message: String,
+        help: String,
+    ) {
+        if let Some((site, name)) = self.values.get(path) {
+            let span = name.span.clone();
+            mistakes.report(&site.file, Code::UnknownOverride, span, message, "not used", Some(help));
+        }
+    }
+
+    /// Reports the values nothing asked for, and those that several parameters could mean; `within` is what was
+    /// read: the file, or the scene that is wanted.
+    pub(in crate::scene) fn finish(&self, mistakes: &mut Mistakes, within: &str) {
         for (path, (site, name)) in &self.values {
             if let Some(meant) = self.several(path) {
                 let (message, help) = ambiguous(path, &meant);
@@ -112,7 +127,7 @@ impl Overrides {
         }
         let (used, known) = (self.used.borrow(), self.known.borrow());
         for (path, (site, name)) in self.values.iter().filter(|(path, _)| !used.contains(*path)) {
-            let message = format!("nothing in the file is called `{path}`");
+            let message = format!("nothing in {within} is called `{path}`");
             let help = meant(path, &known).map(|meant| format!("write `{meant}`"));
             mistakes.report(&site.file, Code::UnknownOverride, name.span.clone(), message, "not used", help);
         }
