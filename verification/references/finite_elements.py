@@ -1,7 +1,8 @@
 """Strips of artery by mixed finite elements, independent of everything in this project.
 
 Quadratic displacement, discontinuous linear pressure, perturbed Lagrangian; stress and tangent by automatic
-differentiation of the energy. Needs dolfinx 0.5 and MUMPS (Debian: python3-dolfinx). Writes one row a load step, in
+differentiation of the energy. With --drift the pressure is continuous and volume flows down its gradient while the load
+grows, as it does in mixed elements stabilised in the rate of the volume. Needs dolfinx 0.5 and MUMPS (Debian: python3-dolfinx). Writes one row a load step, in
 mm, N and MPa; the pressure of the elements, not D and det F, makes the Cauchy stress.
 
     python3 finite_elements.py --angles 40.02,-40.02 --kappa 0 --mesh 28x10x3 --grade 1.5 --out table.csv
@@ -13,15 +14,18 @@ import itertools
 import numpy as np
 import ufl
 from dolfinx import fem, geometry, mesh
-from dolfinx.fem.petsc import apply_lifting, assemble_matrix, assemble_vector, create_matrix, create_vector, set_bc
 from mpi4py import MPI
 from petsc4py import PETSc
+
+from newton import Newton
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("--angles", required=True, help="of the fibre families to the length, degrees")
 arguments.add_argument("--kappa", type=float, required=True)
 arguments.add_argument("--C", type=float, default=0.00764, help="MPa")
 arguments.add_argument("--D", type=float, default=0.1, help="1/MPa; 0 is incompressible")
+arguments.add_argument("--drift", type=float, default=0.0, help="tau, mm^2/(MPa s); 2 N are reached in 1 s")
+arguments.add_argument("--growth", type=float, default=1.35, help="of the force in a step, above which steps shrink")
 arguments.add_argument("--bracket", type=int, default=1, help="0: fibres resist compression")
 arguments.add_argument("--mesh", required=True, help="cells along length, width, thickness of the model")
 arguments.add_argument("--full", action="store_true", help="half the thickness, not an eighth")
@@ -30,6 +34,8 @@ arguments.add_argument("--step", type=float, default=0.2, help="first step of th
 arguments.add_argument("--force", type=float, default=2.1, help="N, where to end")
 arguments.add_argument("--out", required=True)
 given = arguments.parse_args()
+if given.drift > 0 and given.D > 0:
+    arguments.error("--drift goes with --D 0")
 
 LENGTH, WIDTH, THICKNESS = 10.0, 3.0, 0.5
 K1, K2 = 0.9966, 524.6
@@ -44,9 +50,8 @@ domain = mesh.create_box(
 place = domain.geometry.x[:, 0] / (LENGTH / 2)
 domain.geometry.x[:, 0] = np.sign(place) * (1 - (1 - abs(place)) ** given.grade) * LENGTH / 2
 
-element = ufl.MixedElement(
-    [ufl.VectorElement("Q", domain.ufl_cell(), 2), ufl.FiniteElement("DPC", domain.ufl_cell(), 1)]
-)
+pressure = ufl.FiniteElement("Q" if given.drift > 0 else "DPC", domain.ufl_cell(), 1)
+element = ufl.MixedElement([ufl.VectorElement("Q", domain.ufl_cell(), 2), pressure])
 space = fem.FunctionSpace(domain, element)
 state = fem.Function(space)
 u, p = ufl.split(state)
@@ -67,9 +72,15 @@ if given.D > 0:
     J_p = (given.D * p + ufl.sqrt((given.D * p) ** 2 + 4)) / 2
     energy -= p * (J_p - 1) - ((J_p * J_p - 1) / 2 - ufl.ln(J_p)) / given.D
 test, trial = ufl.TestFunction(space), ufl.TrialFunction(space)
-total = energy * ufl.dx(metadata={"quadrature_degree": 5})
-residual = fem.form(ufl.derivative(total, state, test))
-tangent = fem.form(ufl.derivative(ufl.derivative(total, state, test), state, trial))
+dx = ufl.dx(metadata={"quadrature_degree": 5})
+residual = ufl.derivative(energy * dx, state, test)
+# drift: det F of the step before for 1, and over the step's duration J' = -tau div grad p, in space
+earlier, duration = fem.Function(space), fem.Constant(domain, PETSc.ScalarType(0))
+if given.drift > 0:
+    q, out_of = ufl.TestFunctions(space)[1], ufl.inv(F)
+    J_earlier = ufl.det(ufl.Identity(3) + ufl.grad(ufl.split(earlier)[0]))
+    flow = given.drift * duration * J * ufl.inner(ufl.dot(ufl.grad(p), out_of), ufl.dot(ufl.grad(q), out_of))
+    residual += (q * (1 - J_earlier) - flow) * dx
 
 conditions, moved = [], []
 
@@ -94,38 +105,19 @@ if given.full:
 else:
     hold(0, left), hold(1, lambda x: np.isclose(x[1], 0))
 
-matrix, vector = create_matrix(tangent), create_vector(residual)
-solver = PETSc.KSP().create()
-solver.setType("preonly")
-solver.getPC().setType("lu")
-solver.getPC().setFactorSolverType("mumps")
-solver.setOperators(matrix)
-change = fem.Function(space)
+newton = Newton(residual, ufl.derivative(residual, state, trial), state, conditions)
 
 
 def equilibrium(displacement):
-    """Newton's method; whether it converged."""
+    """Whether there is one, found from the state as it is."""
     for value, share in moved:
         value.x.array[:] = share * displacement
-    for iteration in range(14):
-        matrix.zeroEntries()
-        assemble_matrix(matrix, tangent, bcs=conditions)
-        matrix.assemble()
-        with vector.localForm() as local:
-            local.set(0)
-        assemble_vector(vector, residual)
-        apply_lifting(vector, [tangent], [conditions], x0=[state.vector], scale=-1.0)
-        set_bc(vector, conditions, state.vector, -1.0)
-        size = np.linalg.norm(vector.array)
-        if not np.isfinite(size) or size > 1e12:
-            return False
-        solver.solve(vector, change.vector)
-        if not np.all(np.isfinite(change.x.array)):
-            return False
-        state.x.array[:] -= change.x.array
-        if iteration and np.linalg.norm(change.x.array) < 1e-7 * np.linalg.norm(state.x.array):
-            return True
-    return False
+    return newton.solve(1e-7, 14)
+
+
+def force():
+    """Of the whole section, N."""
+    return SHARE * newton.reactions()[grip].sum()
 
 
 points = np.array([[0, 0, 0], [0, WIDTH / 2, 0], [0, 0, THICKNESS / 2], [0, -WIDTH / 2, 0]], dtype=float)
@@ -178,25 +170,26 @@ def at_centre(moves, pressures):
 
 def row(displacement):
     """What is written: force and sizes of the whole specimen, and the centre."""
-    with vector.localForm() as local:
-        local.set(0)
-    assemble_vector(vector, residual)
-    force = SHARE * vector.array[grip].sum()
     moves, pressures = state.sub(0).collapse(), state.sub(1).collapse()
     at = [moves.eval(point, inside.links(i)[0]) for i, point in enumerate(points)]
     width = WIDTH + (at[1][1] - at[3][1] if given.full else 2 * at[1][1])
-    return [displacement, force, width, THICKNESS + 2 * at[2][2], *at_centre(moves, pressures)]
+    return [displacement, force(), width, THICKNESS + 2 * at[2][2], *at_centre(moves, pressures)]
 
 
 with open(given.out, "w") as table:
     names = "end_disp_mm,force_N,width_mid_mm,thick_mid_centre_mm"
     table.write(names + ",sxx_centre_MPa,sxy_centre_MPa,szz_centre_MPa,J_centre,p_centre_MPa,F11_centre\n")
-    displacement, step, before, force = 0.0, given.step, None, 0.0
-    while force < given.force and step > 1e-3:
+    displacement, step, before, reached = 0.0, given.step, None, 0.0
+    while reached < given.force and step > 1e-3:
         here = state.x.array.copy()
+        earlier.x.array[:] = here
         for guess in (before, None):  # first along the last change, then from where it stands
             state.x.array[:] = here if guess is None else here + (here - guess[0]) * step / guess[1]
-            if equilibrium(displacement + step):
+            found = equilibrium(displacement + step)
+            for _ in range(2 if given.drift > 0 else 0):  # the step takes as long as its force grows
+                duration.value = (force() - reached) / 2.0
+                found = found and equilibrium(displacement + step)
+            if found:
                 break
         else:
             state.x.array[:] = here
@@ -206,8 +199,8 @@ with open(given.out, "w") as table:
         values = row(displacement)
         table.write(",".join(f"{value:.8g}" for value in values) + "\n")
         table.flush()
-        growth, force = values[1] / max(force, 1e-9), values[1]
-        if growth > 1.35 and force > 0.05:
+        growth, reached = values[1] / max(reached, 1e-9), values[1]
+        if growth > given.growth and reached > 0.05:
             step = max(step / 1.5, 0.005)
-        elif growth < 1.2:
+        elif growth < min(1.2, given.growth):
             step = min(1.3 * step, 0.25)

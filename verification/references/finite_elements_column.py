@@ -11,9 +11,10 @@ import argparse
 import numpy as np
 import ufl
 from dolfinx import fem, geometry, mesh
-from dolfinx.fem.petsc import apply_lifting, assemble_matrix, assemble_vector, create_matrix, create_vector, set_bc
 from mpi4py import MPI
 from petsc4py import PETSc
+
+from newton import Newton
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("--mesh", required=True, help="cells along x, half of y, z")
@@ -46,8 +47,6 @@ F = ufl.Identity(3) + middle
 J = ufl.det(F)
 P = ufl.diff(MU / 2 * (J ** (-2.0 / 3) * ufl.inner(F, F) - 3) + K / 2 * (J - 1) ** 2, middle)
 form = RHO * ufl.inner(2 * (v - old) / h, test) * dx + ufl.inner(P, ufl.grad(test)) * dx
-residual = fem.form(form)
-tangent = fem.form(ufl.derivative(form, v, trial))
 
 conditions = []
 base = fem.locate_dofs_geometrical(space, lambda x: np.isclose(x[2], 0))
@@ -57,31 +56,12 @@ collapsed, _ = across.collapse()
 plane = fem.locate_dofs_geometrical((across, collapsed), lambda x: np.isclose(x[1], 0))
 conditions.append(fem.dirichletbc(fem.Function(collapsed), plane, across))
 
-matrix, vector = create_matrix(tangent), create_vector(residual)
-solver = PETSc.KSP().create()
-solver.setType("preonly")
-solver.getPC().setType("lu")
-solver.getPC().setFactorSolverType("mumps")
-solver.setOperators(matrix)
-change = fem.Function(space)
+newton = Newton(form, ufl.derivative(form, v, trial), v, conditions)
 
 
 def advance():
-    """One step by Newton's method."""
-    for iteration in range(20):
-        matrix.zeroEntries()
-        assemble_matrix(matrix, tangent, bcs=conditions)
-        matrix.assemble()
-        with vector.localForm() as local:
-            local.set(0)
-        assemble_vector(vector, residual)
-        apply_lifting(vector, [tangent], [conditions], x0=[v.vector], scale=-1.0)
-        set_bc(vector, conditions, v.vector, -1.0)
-        solver.solve(vector, change.vector)
-        v.x.array[:] -= change.x.array
-        if np.linalg.norm(change.x.array) < 1e-9 * np.linalg.norm(v.x.array):
-            break
-    else:
+    """One step."""
+    if not newton.solve(1e-9, 20):
         raise SystemExit("Newton's method does not converge")
     u.x.array[:] += given.step * v.x.array
     old.x.array[:] = 2 * v.x.array - old.x.array
