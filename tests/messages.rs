@@ -153,3 +153,38 @@ sweep w {{ of = short   vary gel.mu = [1 kPa, 2 kPa]   record t {{ e = max(r.e) 
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("`displacement`"), "{}", text(&output.stderr));
 }
+
+#[test]
+fn a_load_beyond_the_stiffness_and_a_body_squeezed_flat_are_named_as_causes_with_numbers() {
+    let home = folder("causes");
+    let cases = [
+        // 1e12 Pa against the shear modulus of 1 kPa
+        (
+            "hold b.xmin\n  traction b.xmax { value = [1e12 Pa, 0 Pa, 0 Pa] }",
+            "load of 1.00e12 Pa",
+            "1.00e9 times",
+        ),
+        ("hold b.xmin\n  pressure b.xmax { value = 1e7 Pa }", "load of 1.00e7 Pa", "1.00e4 times"),
+        // density 1000 kg/m^3 over 1 mm
+        (
+            "hold b.xmin\n  gravity { acceleration = [1e9 m/s^2, 0 m/s^2, 0 m/s^2] }",
+            "load of 1.00e9 Pa",
+            "shear modulus at rest, 1.00e3 Pa",
+        ),
+        // the grip would have to pass through the support
+        (
+            "hold b.xmin\n  pull b.xmax { displacement = ramp(0 mm -> -1.5 mm, over = 10 ms)  grip = sliding }",
+            "squeezed: its ends along x",
+            "least principal stretch",
+        ),
+    ];
+    for (index, (blocks, one, other)) in cases.iter().enumerate() {
+        let file = home.join(format!("cube_{index}.tissue"));
+        fs::write(&file, cube(&format!("  {blocks}\n  run {{ until = 10 ms }}"))).expect("writable");
+        let out = home.join(format!("out_{index}"));
+        let output = tissue(&["run", path(&file), "--out", path(&out), "--quiet"]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{blocks}: {said}");
+        assert!(said.contains(one) && said.contains(other), "{blocks}: {said}");
+    }
+}

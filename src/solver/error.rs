@@ -149,6 +149,24 @@ pub enum Cause {
     UndefinedLoad,
     /// The exact motion that the bodies start from has no value or turns them inside out.
     ImproperMotion,
+    /// The load is more than the material can carry at small strains.
+    Overload {
+        /// Load per area before the deformation, Pa.
+        load: f64,
+        /// What it is held against, Pa.
+        modulus: f64,
+        /// Which modulus that is.
+        of: &'static str,
+    },
+    /// The body is squeezed flat.
+    Squeezed {
+        /// The axis along which.
+        axis: char,
+        /// Distance of its ends now in parts of that before the deformation.
+        share: f64,
+        /// Mean of the least principal stretches.
+        stretch: f64,
+    },
     /// Nothing stands out.
     Unknown,
 }
@@ -183,6 +201,17 @@ impl fmt::Display for Cause {
             Self::ImproperMotion => write!(
                 f,
                 "the `motion` has no finite value or gradient there or turns the body inside out; check its formula"
+            ),
+            Self::Overload { load, modulus, of } => write!(
+                f,
+                "the load of {load:.2e} Pa on the undeformed area is {:.2e} times the {of}, {modulus:.2e} Pa; check its \
+                 unit, or load less or over a longer time",
+                load / modulus
+            ),
+            Self::Squeezed { axis, share, stretch } => write!(
+                f,
+                "the body is squeezed: its ends along {axis} are at {share:.3} of their distance, its least principal \
+                 stretch is {stretch:.3} in the mean; prescribe less, or let its sides move"
             ),
             Self::Unknown => write!(
                 f,
