@@ -188,3 +188,48 @@ fn a_load_beyond_the_stiffness_and_a_body_squeezed_flat_are_named_as_causes_with
         assert!(said.contains(one) && said.contains(other), "{blocks}: {said}");
     }
 }
+
+#[test]
+fn figures_are_made_of_a_file_of_ones_own() {
+    let home = folder("own_figure");
+    let (point, file) = (home.join("point.tissue"), home.join("mine.tissue"));
+    let drive = "tissue 1
+import std.energies { neo_hooke, vol_quadratic }
+material gel { energy = neo_hooke(mu = 1 kPa) + vol_quadratic(K = 10 kPa)  density = 1000 kg/m^3 }
+drive pull {
+  material = gel
+  path = uniaxial([1, 0, 0], stretch = 1 .. 2, steps = 6)
+  record r { s = P.xx }
+}
+";
+    let figure = "tissue 1
+figure mine {
+  number = 3
+  title = \"A law\"
+  source gel { file = \"point.tissue\"  scene = pull }
+  plot law { curve = gel.r.s over gel.r.stretch }
+}
+";
+    fs::write(&point, drive).expect("writable");
+    fs::write(&file, figure).expect("writable");
+    let (out, runs) = (home.join("figures"), home.join("runs"));
+    let make = |files: &[&str], more: &[&str]| {
+        let folders = ["--out", path(&out), "--runs", path(&runs), "--quiet"];
+        tissue(&[&["figures"], files, &folders[..], more].concat())
+    };
+    let output = make(&[path(&file)], &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let svg = fs::read_to_string(out.join("03_mine.svg")).expect("drawn");
+    assert!(svg.starts_with("<svg") || svg.contains("<svg"), "{svg}");
+    assert_eq!(make(&[path(&file)], &["--only", "3", "--redraw"]).status.code(), Some(0));
+    for (files, more, told) in [
+        (vec![path(&point)], vec![], "point.tissue has no figure; write `figure name"),
+        (vec![path(&file)], vec!["--only", "4"], "mine.tissue has no figure 4; there are 3"),
+        (vec![path(&file), path(&file)], vec![], "two figures are called 03_mine"),
+        (vec![path(&file)], vec!["--from", "specs"], "cannot be used with"),
+    ] {
+        let output = make(&files, &more);
+        assert_eq!(output.status.code(), Some(2), "{files:?} {more:?}");
+        assert!(text(&output.stderr).contains(told), "{}", text(&output.stderr));
+    }
+}

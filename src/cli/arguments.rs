@@ -127,6 +127,9 @@ pub struct VerifyOptions {
 /// Options of `figures`.
 #[derive(Debug, Args)]
 pub struct FiguresOptions {
+    /// Files with figures [default: every file of the folder --from]
+    #[arg(value_name = "FILE", conflicts_with = "from")]
+    pub files: Vec<PathBuf>,
     /// Only these figures, by number: --only 2,8
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub only: Vec<u32>,

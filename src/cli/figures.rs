@@ -21,31 +21,12 @@ use std::time::Instant;
 /// Folder of the tables below that of the figures.
 const TABLES: &str = "tables";
 
-/// Makes the figures of a folder of files.
+/// Makes the figures of files, or of a folder of files.
 pub fn figures(options: &FiguresOptions) -> Exit {
-    let mut files = match list(&options.from) {
-        Ok(files) => files,
-        Err(message) => {
-            tell!("error: {message}");
-            return Exit::WrongInput;
-        }
+    let wanted = match wanted(options) {
+        Ok(wanted) => wanted,
+        Err(exit) => return exit,
     };
-    files.sort();
-    let mut wanted: Vec<FigureOf> = Vec::new();
-    for file in &files {
-        match read_or_explain(file, &[]) {
-            Ok(input) => wanted.extend(input.document.figures),
-            Err(exit) => return exit,
-        }
-    }
-    let numbers: Vec<String> = wanted.iter().map(|figure| figure.number.to_string()).collect();
-    if let Some(unknown) = options.only.iter().find(|number| !numbers.contains(&number.to_string())) {
-        let there = numbers.join(", ");
-        tell!("error: {} has no figure {unknown}; there are {there}", options.from.display());
-        return Exit::WrongInput;
-    }
-    wanted.retain(|figure| options.only.is_empty() || options.only.contains(&figure.number));
-    wanted.sort_by_key(|figure| figure.number);
     let mut builder = rayon::ThreadPoolBuilder::new();
     if let Some(threads) = options.threads {
         builder = builder.num_threads(usize::from(threads));
@@ -82,6 +63,47 @@ pub fn figures(options: &FiguresOptions) -> Exit {
         say!("{finished} of {} figures in {:.0} s", wanted.len(), clock.elapsed().as_secs_f64());
     }
     exit
+}
+
+/// The figures that are asked for, by number.
+fn wanted(options: &FiguresOptions) -> Result<Vec<FigureOf>, Exit> {
+    let mut files = options.files.clone();
+    if files.is_empty() {
+        files = list(&options.from).map_err(|message| {
+            tell!("error: {message}");
+            Exit::WrongInput
+        })?;
+        files.sort();
+    }
+    let mut wanted: Vec<FigureOf> = Vec::new();
+    for file in &files {
+        let found = read_or_explain(file, &[])?.document.figures;
+        if found.is_empty() && !options.files.is_empty() {
+            tell!("error: {} has no figure; write `figure name {{ … }}`", file.display());
+            return Err(Exit::WrongInput);
+        }
+        for figure in found {
+            // one would be drawn over the other
+            if wanted.iter().any(|known| stem(known) == stem(&figure)) {
+                tell!("error: two figures are called {}; give one another number or name", stem(&figure));
+                return Err(Exit::WrongInput);
+            }
+            wanted.push(figure);
+        }
+    }
+    let numbers: Vec<String> = wanted.iter().map(|figure| figure.number.to_string()).collect();
+    if let Some(unknown) = options.only.iter().find(|number| !numbers.contains(&number.to_string())) {
+        let (there, named) = (numbers.join(", "), |path: &PathBuf| path.display().to_string());
+        let among = match options.files.as_slice() {
+            [] => named(&options.from),
+            files => files.iter().map(named).collect::<Vec<_>>().join(" and "),
+        };
+        tell!("error: {among} has no figure {unknown}; there are {there}");
+        return Err(Exit::WrongInput);
+    }
+    wanted.retain(|figure| options.only.is_empty() || options.only.contains(&figure.number));
+    wanted.sort_by_key(|figure| figure.number);
+    Ok(wanted)
 }
 
 /// Why a figure was not made.
@@ -126,7 +148,7 @@ fn make(options: &FiguresOptions, figure: &FigureOf) -> Result<PathBuf, Stop> {
         for name in table_names(figure) {
             let path = file(&name);
             let text = fs::read_to_string(&path)
-                .map_err(|cause| format!("cannot read {}: {cause}", path.display()))?;
+                .map_err(|cause| format!("cannot read {}: {cause}; leave out --redraw", path.display()))?;
             texts.push((name, text));
         }
     } else {
