@@ -1,27 +1,16 @@
 //! Scenes of several bodies: what they refuse, and that probes, frames and plans know which is which.
 
+#[path = "support/layers.rs"]
+mod layers;
+
 use tissue::monitor::Observer;
 use tissue::plan::{Pass, Plan};
 use tissue::run::{Job, execute};
-use tissue::scene::{Memory, Scene, resolve};
+use tissue::scene::Scene;
 use tissue::solver::{Simulation, SolveError};
-use tissue::syntax::Source;
 
 fn scene(members: &str) -> Scene {
-    let text = format!(
-        "tissue 1
-import std.energies {{ neo_hooke, vol_quadratic }}
-material stiff {{ energy = neo_hooke(mu = 20 kPa) + vol_quadratic(K = 100 kPa)  density = 1200 kg/m^3 }}
-material soft {{ energy = neo_hooke(mu = 5 kPa) + vol_quadratic(K = 30 kPa)  density = 1000 kg/m^3 }}
-scene layers {{
-  {members}
-}}
-"
-    );
-    let (document, mistakes) = resolve(&Source { name: "layers".into(), text }, &Memory::default(), &[]);
-    let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
-    assert!(mistakes.is_empty(), "{told}");
-    document.scenes.into_iter().next().expect("the text has a scene")
+    layers::layers([1200, 1000], members)
 }
 
 const INNER: &str = "body inner { shape = box(4 mm, 3 mm, 2 mm)  spacing = 1 mm  material = stiff }";

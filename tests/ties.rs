@@ -1,27 +1,16 @@
 //! Bonded faces whose nodes do not meet: uniform stress passes, momentum stays, supports carry.
 
+#[path = "support/layers.rs"]
+mod layers;
+
 use tissue::monitor::totals;
 use tissue::plan::Plan;
-use tissue::scene::{Memory, Scene, resolve};
+use tissue::scene::Scene;
 use tissue::solver::{Simulation, SolveError};
-use tissue::syntax::Source;
 use tissue::tensor::{Mat3, Vec3};
 
 fn scene(members: &str) -> Scene {
-    let text = format!(
-        "tissue 1
-import std.energies {{ neo_hooke, vol_quadratic }}
-material stiff {{ energy = neo_hooke(mu = 20 kPa) + vol_quadratic(K = 100 kPa)  density = 1800 kg/m^3 }}
-material soft {{ energy = neo_hooke(mu = 5 kPa) + vol_quadratic(K = 30 kPa)  density = 900 kg/m^3 }}
-scene layers {{
-{members}
-}}
-"
-    );
-    let (document, mistakes) = resolve(&Source { name: "ties".into(), text }, &Memory::default(), &[]);
-    let told: String = mistakes.iter().map(|mistake| mistake.render()).collect();
-    assert!(mistakes.is_empty(), "{told}");
-    document.scenes.into_iter().next().expect("the text has a scene")
+    layers::layers([1800, 900], members)
 }
 
 /// Two layers of 3 by 3 mm: 4 nodes an edge below, `above` for the spacing of the other.

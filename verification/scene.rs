@@ -33,6 +33,14 @@ pub(super) fn advance(simulation: &mut Simulation, until: f64) {
     while !stepped(simulation, until) {}
 }
 
+/// The only scene of a text at its end.
+pub(super) fn ended(text: &str) -> Simulation {
+    let scene = scene(text);
+    let mut simulation = simulation(&scene);
+    advance(&mut simulation, scene.run.until);
+    simulation
+}
+
 /// Brings velocities to the time of the positions.
 pub(super) fn synchronised(simulation: &mut Simulation) {
     simulation.synchronise().unwrap_or_else(|cause| panic!("the scene of a claim stopped: {cause}"));

@@ -1,6 +1,6 @@
 //! Two bodies bonded at an interface against the laminate they are.
 
-use super::super::scene::{advance, scene, simulation};
+use super::super::scene::ended;
 use crate::solver::{BodyState, Simulation};
 use crate::verify::{Claim, Topic};
 
@@ -81,13 +81,6 @@ scene laminate {{
     )
 }
 
-fn run(text: &str) -> Simulation {
-    let scene = scene(text);
-    let mut simulation = simulation(&scene);
-    advance(&mut simulation, scene.run.until);
-    simulation
-}
-
 /// Largest difference of a component of stress from the exact one of each layer, over the greater.
 fn error(simulation: &Simulation, axis: usize, exact: [f64; 2]) -> f64 {
     let scale = exact[0].abs().max(exact[1].abs());
@@ -101,7 +94,7 @@ fn series(consistency: &str) -> f64 {
     let supports = "slide inner.xmax
   slide outer.xmax
   pull outer.zmax { displacement = ramp(0 mm -> -0.15 mm, over = 2 ms)  grip = sliding }";
-    let simulation = run(&text(supports, &format!("integration_consistency = {consistency}")));
+    let simulation = ended(&text(supports, &format!("integration_consistency = {consistency}")));
     // the stress of the inner layer grows with its stretch, the outer's falls
     let outer = |inner: f64| (3.0 * 0.95 - LAYERS[0].2 * inner) / LAYERS[1].2;
     let through = |layer, stretch| stress(layer, [1.0, 1.0, stretch], 2);
@@ -113,7 +106,7 @@ fn series(consistency: &str) -> f64 {
 fn parallel(factor: f64) -> f64 {
     let pull = "displacement = ramp(0 mm -> 0.3 mm, over = 2 ms)  grip = sliding";
     let supports = format!("pull inner.xmax {{ {pull} }}\n  pull outer.xmax {{ {pull} }}");
-    let simulation = run(&text(&supports, ""));
+    let simulation = ended(&text(&supports, ""));
     let exact = LAYERS.map(|layer| {
         let thickness = root(0.5, 1.5, |b| stress(layer, [1.1, 1.0, b], 2));
         factor * stress(layer, [1.1, 1.0, thickness], 0)

@@ -1,6 +1,6 @@
 //! A pressure that follows the faces.
 
-use super::super::scene::{advance, scene, simulation};
+use super::super::scene::ended;
 use crate::monitor::cauchy_stress;
 use crate::tensor::Mat3;
 use crate::verify::{Claim, Topic};
@@ -44,9 +44,7 @@ scene squeezed {{
 ",
         loads.join("\n  ")
     );
-    let scene = scene(&text);
-    let mut simulation = simulation(&scene);
-    advance(&mut simulation, scene.run.until);
+    let simulation = ended(&text);
     let body = &simulation.bodies()[0];
     let inside = Mat3::identity() * -6e3;
     (0..body.len()).map(|a| (cauchy_stress(body, a) - inside).norm()).fold(0.0, f64::max) / 6e3

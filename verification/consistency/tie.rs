@@ -1,7 +1,7 @@
 //! Bodies bonded at faces whose nodes do not meet.
 
 use crate::tensor::{Mat3, Vec3};
-use crate::verify::claims::scene::{advance, scene, simulation};
+use crate::verify::claims::scene::ended;
 use crate::verify::{Claim, Topic};
 
 /// A uniform traction passes from one spacing to another.
@@ -39,9 +39,7 @@ scene tied {{
 }}
 "
     );
-    let scene = scene(&text);
-    let mut simulation = simulation(&scene);
-    advance(&mut simulation, scene.run.until);
+    let simulation = ended(&text);
     let traction = Mat3::from_diagonal(&Vec3::new(0.0, 0.0, 300.0));
     let bodies = simulation.bodies().iter();
     let errors = bodies.flat_map(|body| (0..body.len()).map(move |a| (body.stress(a) - traction).norm()));

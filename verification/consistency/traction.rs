@@ -2,7 +2,7 @@
 
 use crate::solver::BodyState;
 use crate::tensor::{Mat3, Vec3};
-use crate::verify::claims::scene::{advance, scene, simulation};
+use crate::verify::claims::scene::ended;
 use crate::verify::{Claim, Topic};
 
 /// A bar pulled by a uniform traction reaches the homogeneous state.
@@ -56,9 +56,7 @@ scene patch {{
 }}
 "
     );
-    let scene = scene(&text);
-    let mut simulation = simulation(&scene);
-    advance(&mut simulation, scene.run.until);
+    let simulation = ended(&text);
     let body: &BodyState = &simulation.bodies()[0];
     let traction = Mat3::from_diagonal(&Vec3::new(300.0, 0.0, 0.0));
     (0..body.len()).map(|a| (body.stress(a) - traction).norm()).fold(0.0, f64::max) / 300.0
