@@ -214,7 +214,7 @@ impl Grid {
                 }
             }
             let (nodes, area) = area.into_iter().unzip();
-            FaceNodes { name, nodes, area, quads }
+            FaceNodes { name, nodes, area, quads, bulges: Vec::new() }
         };
         quads.into_iter().map(face).collect()
     }

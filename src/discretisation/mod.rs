@@ -39,7 +39,7 @@ pub use error::DiscretisationError;
 pub use grid::quad_integrals;
 pub use kernel::Kernel;
 pub use mesh::Mesh;
-pub use particles::{FaceNodes, Particles};
+pub use particles::{Bulge, FaceNodes, Particles};
 pub use points::Points;
 pub use shape::Shape;
 pub use solid::Solid;

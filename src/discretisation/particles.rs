@@ -37,6 +37,19 @@ pub struct FaceNodes {
     pub area: Vec<Vec3>,
     /// Quadrilaterals of the face, each counter-clockwise seen from outside.
     pub quads: Vec<[u32; 4]>,
+    /// By how much quadrilaterals differ from the surface through the nodes round them; empty before
+    /// [`Particles::integrate_quadratics`].
+    pub bulges: Vec<Bulge>,
+}
+
+/// The mean distance of a bilinear quadrilateral from the quadratic surface through the nodes round it:
+/// `m = Σ_a c_a x_a`. Constants and linear fields have none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bulge {
+    /// The quadrilateral.
+    pub quad: [u32; 4],
+    /// Nodes and their `c_a = ∮ ½ K_a : S dS` over the quadrilateral's area.
+    pub shares: Vec<(u32, f64)>,
 }
 
 impl Particles {

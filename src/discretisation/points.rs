@@ -70,7 +70,7 @@ impl Points {
                 area
             };
             let area = nodes.iter().map(weight).collect();
-            FaceNodes { name: PLANES[k].into(), nodes, area, quads: Vec::new() }
+            FaceNodes { name: PLANES[k].into(), nodes, area, quads: Vec::new(), bulges: Vec::new() }
         };
         let side = self.volume.iter().map(|v| libm::cbrt(*v)).fold(f64::INFINITY, f64::min);
         Ok(Particles {

@@ -27,7 +27,7 @@ mod patch;
 
 use super::error::DiscretisationError;
 use super::grid::{cell_hats, quad_hats};
-use super::particles::Particles;
+use super::particles::{Bulge, FaceNodes, Particles};
 use crate::tensor::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
 use patch::Patch;
@@ -95,17 +95,17 @@ impl Particles {
     /// not tell products of quadratics apart.
     fn integrate_faces(&mut self, patches: &[Vec<Patch>]) -> bool {
         let mut moment = vec![Mat3::zeros(); self.len()];
-        let mut areas: Vec<Vec<Vec3>> = self.faces.iter().map(|face| face.area.clone()).collect();
-        for ((face, patches), area) in self.faces.iter().zip(patches).zip(&mut areas) {
+        let mut integrated = Vec::new();
+        for (face, patches) in self.faces.iter().zip(patches) {
+            let mut face = face.clone();
             for patch in patches {
-                if self.patch_integrals(&face.nodes, patch, area, &mut moment).is_none() {
+                if self.patch_integrals(patch, &mut face, &mut moment).is_none() {
                     return false;
                 }
             }
+            integrated.push(face);
         }
-        for (face, area) in self.faces.iter_mut().zip(areas) {
-            face.area = area;
-        }
+        self.faces = integrated;
         self.first_moment = moment;
         true
     }
@@ -124,13 +124,12 @@ impl Particles {
         }
     }
 
-    /// Changes the areas of a plane's nodes, which are among those of its face, and adds its share of the first
-    /// moments.
+    /// Changes the areas of a plane's nodes, which are among those of its face, finds its bulges and adds its share
+    /// of the first moments.
     fn patch_integrals(
         &self,
-        nodes: &[u32],
         Patch { normal, quads }: &Patch,
-        area: &mut [Vec3],
+        face: &mut FaceNodes,
         moment: &mut [Mat3],
     ) -> Option<()> {
         let rings = Rings::new(quads, self.len());
@@ -147,8 +146,12 @@ impl Particles {
             let frame = self.frame(&corner, axes);
             let ring = rings.around(quad, quads);
             let shares = self.shares(&ring, &frame, &quad_excess(&corner, &frame))?;
+            let size = 0.5 * (corner[2] - corner[0]).cross(&(corner[3] - corner[1])).norm();
+            let bulge = ring.iter().zip(&shares).map(|(&a, share)| (a, share[0] / size)).collect();
+            face.bulges.push(Bulge { quad: *quad, shares: bulge });
             for (a, share) in ring.into_iter().zip(shares) {
-                area[nodes.partition_point(|&node| node < a)] -= share[0] * normal;
+                let node = face.nodes.partition_point(|&node| node < a);
+                face.area[node] -= share[0] * normal;
                 let place = self.position[a as usize] - frame.origin;
                 let first = share.fixed_rows::<3>(1) - share[0] * place;
                 moment[a as usize] -= first * normal.transpose();

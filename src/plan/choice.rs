@@ -23,10 +23,12 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         Scheme::Seed => "seed",
         Scheme::Improved => "improved",
     };
+    let quadratic = run.consistency == Consistency::Quadratic;
     let written = |key: &str| run.written.iter().any(|written| written == key);
     let origin = |key: &str| match key {
         _ if written(key) => written_at(run, key),
         "cfl" if written("integrator") => format!("integrator of {}", written_at(run, "integrator")),
+        "smoothing" if quadratic => format!("completeness of {}", written_at(run, "completeness")),
         "damping" | "volume_relaxation" => "the plan".into(),
         _ => format!("scheme {scheme}"),
     };
@@ -75,7 +77,6 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     );
     add("smoothing", run.smoothing.to_string());
     add("integration_consistency", on_off(run.consistency != Consistency::Kernel));
-    let quadratic = run.consistency == Consistency::Quadratic;
     add("completeness", if quadratic { "quadratic" } else { "linear" }.into());
     add(
         "momentum_dissipation",
