@@ -233,3 +233,35 @@ figure mine {
         assert!(text(&output.stderr).contains(told), "{}", text(&output.stderr));
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_keeps_what_it_has_and_says_so() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    let home = folder("interrupted");
+    let (file, out) = (home.join("cube.tissue"), home.join("out"));
+    let blocks = "  run { until = 1000 s }\n  record r { every = 1 ms  v = volume }";
+    fs::write(&file, cube(blocks)).expect("writable");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_tissue"))
+        .args(["run", path(&file), "--out", path(&out), "--quiet"])
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the tool starts");
+    let rows = || fs::read_to_string(out.join("r.csv")).map_or(0, |table| table.lines().count());
+    let start = Instant::now();
+    while rows() < 20 && start.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let id = run.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill is there").success());
+    assert_eq!(run.wait().expect("it ends").code(), Some(130));
+    let mut said = String::new();
+    std::io::Read::read_to_string(&mut run.stderr.take().expect("piped"), &mut said).expect("text");
+    assert!(said.contains("interrupted at t = ") && said.contains(path(&out)), "{said}");
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(out.join("run.json")).expect("written")).expect("JSON");
+    assert_eq!(report["status"]["outcome"], "interrupted");
+    assert!(report["end_time"].as_f64().is_some_and(|time| time > 0.0 && time < 1000.0));
+    assert!(rows() >= 20, "the rows are kept");
+}

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[command(
     name = "tissue",
     version,
-    after_help = "Exit codes: 0 fine, 1 a claim or a run failed, 2 the input or the command line is wrong."
+    after_help = "Exit codes: 0 fine, 1 a claim or a run failed, 2 the input or the command line is wrong, 130 stopped by Ctrl-C."
 )]
 pub struct Arguments {
     /// What to do.

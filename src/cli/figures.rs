@@ -207,7 +207,9 @@ fn is_done(folder: &Path, provenance: &Provenance) -> bool {
     let Ok(text) = fs::read_to_string(folder.join(REPORT)) else { return false };
     let Ok(report) = serde_json::from_str::<serde_json::Value>(&text) else { return false };
     let is = |key: &str, value: &str| report[key].as_str() == Some(value);
-    let finished = report["status"]["outcome"].as_str().is_some_and(|outcome| outcome != "unfinished");
+    let finished = report["status"]["outcome"]
+        .as_str()
+        .is_some_and(|outcome| !matches!(outcome, "unfinished" | "interrupted"));
     finished
         && is("version", &provenance.version)
         && is("hash", &provenance.hash)

@@ -36,6 +36,7 @@ mod fit;
 mod folder;
 mod format;
 mod input;
+mod interrupt;
 mod memory;
 mod plan;
 mod progress;
@@ -56,6 +57,8 @@ pub enum Exit {
     Failed,
     /// The input or the command line is wrong.
     WrongInput,
+    /// The user stopped it.
+    Interrupted,
 }
 
 impl From<Exit> for ExitCode {
@@ -64,6 +67,7 @@ impl From<Exit> for ExitCode {
             Exit::Fine => Self::SUCCESS,
             Exit::Failed => Self::from(1),
             Exit::WrongInput => Self::from(2),
+            Exit::Interrupted => Self::from(interrupt::CODE),
         }
     }
 }

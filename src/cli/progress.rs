@@ -1,5 +1,6 @@
 //! The progress bar of a run.
 
+use super::interrupt::is_interrupted;
 use crate::run::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};
@@ -43,5 +44,9 @@ impl Progress for Bar {
         self.drawn = Instant::now();
         self.bar.set_position((time / end * PARTS as f64) as u64);
         self.bar.set_message(format!("step {steps}  t {time:.4e} s  Δt {step:.3e} s"));
+    }
+
+    fn is_interrupted(&self) -> bool {
+        is_interrupted()
     }
 }

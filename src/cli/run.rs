@@ -6,6 +6,7 @@ use super::drive::run_drive;
 use super::fit::run_fit;
 use super::folder::{announce, prepare, withdraw};
 use super::input::{Input, chosen, read_one_or_explain};
+use super::interrupt;
 use super::memory::fits;
 use super::progress::Bar;
 use super::sweep::run_sweep;
@@ -82,6 +83,9 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
             tell!("error: {message}");
             exit = Exit::Failed;
         }
+        if one == Exit::Interrupted {
+            break;
+        }
     }
     exit
 }
@@ -130,7 +134,9 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
         return Exit::Failed;
     }
     let mut bar = Bar::new(&scene.name, options.quiet);
+    interrupt::listen();
     let outcome = execute(&job, &mut bar);
+    interrupt::leave();
     bar.finish();
     let Outcome { mut report, tables, failure } = match outcome {
         Ok(outcome) => outcome,
@@ -154,6 +160,11 @@ fn run_scene(options: &RunOptions, input: &Input, scene: &Scene, folder: &Path) 
     if let Err(cause) = write_atomic(&folder.join("run.json"), report.to_json().as_bytes()) {
         tell!("error: cannot write {}: {cause}", folder.join("run.json").display());
         exit = Exit::Failed;
+    }
+    if let Some(RunError::Interrupted) = failure {
+        tell!("scene `{}` was interrupted at t = {:.4e} s", scene.name, report.end_time);
+        tell!("  everything before is kept in {}", folder.display());
+        return Exit::Interrupted;
     }
     if let Some(cause) = failure {
         tell!("error: scene `{}` stopped: {cause}", scene.name);

@@ -92,6 +92,8 @@ pub enum RunStatus {
     Held,
     /// It reached its end time, and an expectation does not hold.
     ExpectationFailed,
+    /// The user stopped it before its end time.
+    Interrupted,
     /// It stopped before its end time.
     Stopped {
         /// What, where and when.

@@ -48,6 +48,8 @@ pub enum RunError {
         /// Samples allowed.
         most: f64,
     },
+    /// The user stopped it.
+    Interrupted,
     /// A column of a record is infinite or undefined.
     ColumnWithoutValue(Box<ColumnFault>),
     /// A table could not be written.
@@ -110,7 +112,7 @@ impl RunError {
             Self::Motion { .. } => true,
             Self::TooManySamples { .. } | Self::Probe(_) | Self::Law { .. } | Self::Drive(_) => true,
             Self::FitStart { .. } => true,
-            Self::ColumnWithoutValue(_) => false,
+            Self::Interrupted | Self::ColumnWithoutValue(_) => false,
             Self::Table(_) | Self::Frame(_) | Self::Figure { .. } | Self::Io { .. } => false,
         }
     }
@@ -188,6 +190,7 @@ impl fmt::Display for RunError {
                      with `if(…, …, …)`"
                 )
             }
+            Self::Interrupted => f.write_str("interrupted"),
             Self::Table(cause) => write!(f, "{cause}"),
             Self::Frame(cause) => write!(f, "{cause}"),
             Self::Io { path, cause } => write!(f, "cannot write {}: {cause}", path.display()),

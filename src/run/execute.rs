@@ -63,6 +63,11 @@ pub struct Outcome {
 pub trait Progress {
     /// Called after every step with the steps taken, the time, the last step and the end, all s.
     fn step(&mut self, steps: u64, time: f64, step: f64, end: f64);
+
+    /// Whether the run is to stop before its next step.
+    fn is_interrupted(&self) -> bool {
+        false
+    }
 }
 
 impl Progress for () {
@@ -117,7 +122,11 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
             break;
         }
         match advance(&mut simulation, next, scene.run.until, progress) {
-            Ok(()) => {}
+            Ok(true) => {}
+            Ok(false) => {
+                failure = Some(RunError::Interrupted);
+                break;
+            }
             Err(cause) => {
                 failure = Some(RunError::Solve(cause));
                 break;
@@ -129,6 +138,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     let tables: Vec<Table> = records.into_iter().map(|recording| recording.table).chain(exact).collect();
     let expectations = judge_all(&scene.expectations, &tables);
     let status = match &failure {
+        Some(RunError::Interrupted) => RunStatus::Interrupted,
         Some(cause) => RunStatus::Stopped { cause: cause.to_string() },
         None if expectations.iter().all(|verdict| verdict.holds) => RunStatus::Held,
         None => RunStatus::ExpectationFailed,
@@ -195,17 +205,21 @@ fn motion_table(job: &Job<'_>, simulation: &Simulation) -> Result<Option<Table>,
     Ok(Some(table))
 }
 
+/// Takes all steps to the next sample; whether it was reached.
 fn advance(
     simulation: &mut Simulation,
     next: f64,
     until: f64,
     progress: &mut dyn Progress,
-) -> Result<(), SolveError> {
+) -> Result<bool, SolveError> {
     loop {
+        if progress.is_interrupted() {
+            return Ok(false);
+        }
         let reached = simulation.step_towards(next)?;
         progress.step(simulation.steps(), simulation.time(), simulation.last_step(), until);
         if reached {
-            return Ok(());
+            return Ok(true);
         }
     }
 }
