@@ -265,3 +265,19 @@ fn an_interrupted_run_keeps_what_it_has_and_says_so() {
     assert!(report["end_time"].as_f64().is_some_and(|time| time > 0.0 && time < 1000.0));
     assert!(rows() >= 20, "the rows are kept");
 }
+
+#[test]
+fn a_path_that_is_set_twice_is_told_with_both_values() {
+    let home = folder("set_twice");
+    let file = home.join("cube.tissue");
+    fs::write(&file, cube("  run { until = 1 ms }\n  record r { every = 0.1 ms  v = volume }"))
+        .expect("writable");
+    for command in ["run", "plan"] {
+        let output = tissue(&[command, path(&file), "--set", "run.cfl=0.5", "--set", "run.cfl = 0.6"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert_eq!(
+            text(&output.stderr),
+            "error: --set run.cfl is given twice, 0.5 and 0.6; write one of them\n"
+        );
+    }
+}

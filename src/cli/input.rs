@@ -85,6 +85,12 @@ pub fn read_one_or_explain(
     overrides: &[(String, String)],
     only: Option<&str>,
 ) -> Result<Input, Exit> {
+    for (place, (path, value)) in overrides.iter().enumerate() {
+        if let Some((_, earlier)) = overrides[..place].iter().find(|(other, _)| other == path) {
+            tell!("error: --set {path} is given twice, {earlier} and {value}; write one of them");
+            return Err(Exit::WrongInput);
+        }
+    }
     match only {
         Some(only) if !overrides.is_empty() => {
             sound(read_with(path, overrides, |source, loader, set| resolve_one(source, loader, set, only)))
