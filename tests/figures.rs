@@ -97,6 +97,14 @@ fn the_quick_tier_of_every_figure_is_drawn_as_recorded() {
     // nothing is run again: no line tells of particles
     let again = make(&["--only", "1"]);
     assert!(again.contains("figure 1") && !again.contains("particles"), "{again}");
+    // but a run that has lost a table, which figure 1 does not read
+    let run = fs::read_dir(&runs).expect("the runs").flatten().map(|entry| entry.path());
+    let punch = run
+        .filter(|path| path.join("probes.csv").is_file())
+        .find(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("jump-plain")));
+    fs::remove_file(punch.expect("a run of the punch").join("probes.csv")).expect("it is there");
+    let mended = make(&["--only", "1"]);
+    assert!(mended.contains("particles"), "{mended}");
 }
 
 #[test]
@@ -136,6 +144,25 @@ fn another_number_in_a_table_is_another_figure() {
     assert_ne!(draw_figure(figure, &kept), draw_figure(figure, &other));
     other[0].rows[row].pop();
     assert!(draw_figure(figure, &other).is_err(), "a row that is not complete is refused");
+    let mut other = kept.clone();
+    other[0].rows[row][0] = 99.0;
+    let refused = draw_figure(figure, &other).expect_err("a row of an outline that is not there");
+    assert!(refused.contains("a row of number 99"), "{refused}");
+    let mut other = kept.clone();
+    other[0].columns[1].text.clear();
+    let refused = draw_figure(figure, &other).expect_err("a column whose unit is not known");
+    assert!(refused.contains("no line `# column x"), "{refused}");
+}
+
+/// A figure of one plot has no title drawn above it, for a journal sets its caption; the file has it all the same.
+#[test]
+fn every_committed_figure_says_what_it_shows() {
+    for figure in figures() {
+        let text = fs::read_to_string(format!("figures/{}.svg", stem(&figure))).expect("a committed figure");
+        let title = text.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
+        let unescaped = title.map(|(title, _)| title.replace("&lt;", "<").replace("&amp;", "&"));
+        assert_eq!(unescaped.as_deref(), Some(figure.title.as_str()));
+    }
 }
 
 #[test]

@@ -139,9 +139,9 @@ pub struct FiguresOptions {
     /// Run nothing: draw again from the tables that are there
     #[arg(long, conflicts_with = "quick")]
     pub redraw: bool,
-    /// Folder of the figures; their tables are written to tables/ below it
-    #[arg(long, value_name = "DIR", default_value = "figures")]
-    pub out: PathBuf,
+    /// Folder of the figures; their tables are written to tables/ below it [default: figures, with --quick out/quick]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// Folder of the files that describe them
     #[arg(long, value_name = "DIR", default_value = "specs/figures")]
     pub from: PathBuf,

@@ -135,6 +135,12 @@ fn list(folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(files)
 }
 
+/// The folder of the figures; coarse ones do not replace those of the full tier unless it is named.
+fn folder_of(options: &FiguresOptions) -> &Path {
+    let default = if options.quick { "out/quick" } else { "figures" };
+    options.out.as_deref().unwrap_or(Path::new(default))
+}
+
 /// `02_punch_stages`.
 fn stem(figure: &FigureOf) -> String {
     format!("{:02}_{}", figure.number, figure.name)
@@ -142,7 +148,8 @@ fn stem(figure: &FigureOf) -> String {
 
 /// Runs what is needed, writes the tables, draws the figure from them.
 fn make(options: &FiguresOptions, figure: &FigureOf) -> Result<PathBuf, Stop> {
-    let file = |table: &str| options.out.join(TABLES).join(format!("{}_{table}.csv", stem(figure)));
+    let out = folder_of(options);
+    let file = |table: &str| out.join(TABLES).join(format!("{}_{table}.csv", stem(figure)));
     let mut texts: Vec<(String, String)> = Vec::new();
     if options.redraw {
         for name in table_names(figure) {
@@ -165,7 +172,7 @@ fn make(options: &FiguresOptions, figure: &FigureOf) -> Result<PathBuf, Stop> {
     // drawn from what stands in the files
     let parse = |(name, text): &(String, String)| Table::parse(name, text).map_err(|cause| cause.to_string());
     let tables = texts.iter().map(parse).collect::<Result<Vec<Table>, String>>()?;
-    let path = options.out.join(format!("{}.svg", stem(figure)));
+    let path = out.join(format!("{}.svg", stem(figure)));
     write(&path, &draw_figure(figure, &tables)?)?;
     Ok(path)
 }
@@ -183,7 +190,7 @@ fn results_of(options: &FiguresOptions, source: &Source) -> Result<RunResults, S
     let short: String = input.hash.chars().take(12).collect();
     let folder = options.runs.join(format!("{file}-{}-{short}", source.scene));
     if !is_done(&folder, &provenance) {
-        prepare(&folder, folder.exists())?.let_go()?;
+        prepare(&folder, folder.exists(), "--runs")?.let_go()?;
         run(options, &input, source, &provenance, &folder)?;
     }
     let mut spacings = Vec::new();
@@ -210,7 +217,10 @@ fn is_done(folder: &Path, provenance: &Provenance) -> bool {
     let finished = report["status"]["outcome"]
         .as_str()
         .is_some_and(|outcome| !matches!(outcome, "unfinished" | "interrupted"));
+    // one that has lost a file is run again
+    let files = report["files"].as_array().into_iter().flatten().filter_map(|file| file.as_str());
     finished
+        && files.clone().all(|file| folder.join(file).is_file())
         && is("version", &provenance.version)
         && is("hash", &provenance.hash)
         && is("scene", &provenance.scene)

@@ -25,8 +25,8 @@ pub struct Earlier {
 /// Makes the output folder; an earlier run in it is set aside, into a folder beside it, if it may go.
 ///
 /// # Errors
-/// What is in the way and what to write.
-pub fn prepare(folder: &Path, overwrite: bool) -> Result<Earlier, String> {
+/// What is in the way and what to write; `option` names the folder on the command line.
+pub fn prepare(folder: &Path, overwrite: bool, option: &str) -> Result<Earlier, String> {
     let mut aside = None;
     if overwrite && folder.is_dir() {
         let earlier = earlier(folder);
@@ -34,7 +34,7 @@ pub fn prepare(folder: &Path, overwrite: bool) -> Result<Earlier, String> {
         let mut names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
         if let Some(foreign) = names.find(|name| !earlier.contains(name)) {
             return Err(format!(
-                "{} holds `{foreign}`, which no run listed in {REPORT} wrote; name another folder with --out",
+                "{} holds `{foreign}`, which no run listed in {REPORT} wrote; name another folder with {option}",
                 folder.display()
             ));
         }
@@ -53,8 +53,9 @@ pub fn prepare(folder: &Path, overwrite: bool) -> Result<Earlier, String> {
         Ok(()) => Ok(earlier),
         Err(cause) => {
             earlier.give_back()?;
+            let replace = if overwrite { "" } else { ", or replace an earlier run with --overwrite" };
             Err(format!(
-                "cannot write to {}: {cause}; name another folder with --out, or replace an earlier run with --overwrite",
+                "cannot write to {}: {cause}; name another folder with {option}{replace}",
                 folder.display()
             ))
         }

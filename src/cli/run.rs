@@ -62,7 +62,7 @@ fn run_some(options: &RunOptions, wanted: impl Fn(&Job<'_>) -> bool) -> Exit {
     let mut exit = Exit::Fine;
     for job in jobs {
         let folder = folder(options, job.name(), several);
-        let earlier = match prepare(&folder, options.overwrite) {
+        let earlier = match prepare(&folder, options.overwrite, "--out") {
             Ok(earlier) => earlier,
             Err(message) => {
                 tell!("error: {message}");

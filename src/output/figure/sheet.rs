@@ -28,9 +28,13 @@ pub fn sheet(
     pictures: &[String],
     columns: usize,
 ) -> Result<String, FigureError> {
+    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     match pictures {
         [] => return Err(FigureError::Empty),
-        [one] => return Ok(one.clone()),
+        // drawn without a title above it, but not without a name
+        [one] => {
+            return Ok(one.replacen("<title></title>", &format!("<title>{}</title>", escaped(title)), 1));
+        }
         _ => {}
     }
     let sizes = pictures.iter().map(|picture| size(picture)).collect::<Result<Vec<_>, _>>()?;
@@ -59,7 +63,6 @@ pub fn sheet(
         top += tallest + LETTER + 8.0 + GAP;
     }
     let height = top - GAP;
-    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     Ok(format!(
         "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
          xmlns=\"http://www.w3.org/2000/svg\">\n<title>{}</title>\n<desc>{}</desc>\n\

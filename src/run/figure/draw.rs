@@ -46,15 +46,32 @@ fn rows_of(table: &Table, number: usize) -> impl Iterator<Item = &Vec<f64>> {
     table.rows.iter().filter(move |row| row.first() == Some(&(number as f64)))
 }
 
-fn complete(table: &Table, columns: usize) -> Result<(), String> {
-    let fits = table.columns.len() == columns && table.rows.iter().all(|row| row.len() == columns);
-    if fits { Ok(()) } else { Err(format!("the table `{}` has not {columns} columns", table.name)) }
+/// Whether a table, which may have been edited, has its columns, their units and no row of what is not drawn.
+fn complete(table: &Table, columns: usize, drawn: usize) -> Result<(), String> {
+    let name = &table.name;
+    if table.columns.len() != columns || table.rows.iter().any(|row| row.len() != columns) {
+        return Err(format!("the table `{name}` has not {columns} columns"));
+    }
+    if let Some(column) = table.columns.iter().find(|column| column.text.is_empty()) {
+        let column = &column.name;
+        return Err(format!(
+            "the table `{name}` has no line `# column {column} [unit] description` for its column `{column}`"
+        ));
+    }
+    let is_drawn = |row: &Vec<f64>| (0..drawn).any(|number| row.first() == Some(&(number as f64)));
+    match table.rows.iter().find(|row| !is_drawn(row)) {
+        Some(row) => Err(format!(
+            "the table `{name}` has a row of number {}, and {drawn} are drawn, from 0",
+            row.first().copied().unwrap_or(f64::NAN)
+        )),
+        None => Ok(()),
+    }
 }
 
 fn curves(plot: &Plot, title: &str, table: &Table) -> Result<Figure, String> {
-    complete(table, 3)?;
     let picture = &plot.picture;
     let data = all_series(plot);
+    complete(table, 3, data.len())?;
     let named = data.first().map(|data| match data {
         SeriesData::Record { y, x, .. } | SeriesData::Reference { y, x, .. } => (x.clone(), y.clone()),
         SeriesData::Points { .. } => ("abscissa".into(), "ordinate".into()),
@@ -119,8 +136,8 @@ fn fields_of(
     points: &Table,
     faces: &Table,
 ) -> Result<FieldFigure, String> {
-    complete(points, 5)?;
-    complete(faces, 5)?;
+    complete(points, 5, picture.panels.len())?;
+    complete(faces, 5, picture.panels.len())?;
     let mut panels = Vec::new();
     for (number, described) in picture.panels.iter().enumerate() {
         let rows = || rows_of(points, number);
@@ -170,7 +187,7 @@ fn view(viewpoint: Viewpoint) -> View {
 }
 
 fn sketch(drawing: &Drawing, title: &str, table: &Table) -> Result<Sketch, String> {
-    complete(table, 3)?;
+    complete(table, 3, drawing.outlines.len())?;
     let pair = |[x, y]: [f64; 2]| (x, y);
     let outline = |number: usize| rows_of(table, number).map(|row| (row[1], row[2])).collect();
     let disc = |centre: [f64; 2], radius: f64| {
