@@ -3,8 +3,12 @@
 //! Owns the arrays a body is given to the solver as. Knows no kernel.
 
 use super::error::DiscretisationError;
+use super::grid::quad_integrals;
 use super::shape::Shape;
 use crate::tensor::{Mat3, Vec3};
+
+/// Up to here areas that meet in a node are those of one plane: some hundred roundings of 1.1e-16.
+const FLAT: f64 = 1e-13;
 
 /// The nodes of one body, in spatial order.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,5 +112,32 @@ impl Particles {
     /// The face of a name.
     pub fn face(&self, name: &str) -> Option<&FaceNodes> {
         self.faces.iter().find(|face| face.name == name)
+    }
+
+    /// How much of a face's surface every node stands for, m².
+    ///
+    /// ```text
+    /// A_a = |A_a N_a| · Σ_q |A_qa| / |Σ_q A_qa|
+    /// ```
+    ///
+    /// over the quadrilaterals `q` of the face that meet there: where planes meet in an edge, the vectors of their
+    /// areas add to less than their areas do.
+    pub fn sizes(&self, face: &FaceNodes) -> Vec<f64> {
+        let mut shares = vec![(0.0, Vec3::zeros()); face.nodes.len()];
+        for quad in &face.quads {
+            let integral = quad_integrals(&quad.map(|a| self.position[a as usize]));
+            for (a, share) in quad.iter().zip(integral) {
+                let (size, vector) = &mut shares[face.nodes.partition_point(|node| node < a)];
+                *size += share.norm();
+                *vector += share;
+            }
+        }
+        let size = |(area, (size, vector)): (&Vec3, &(f64, Vec3))| match size / vector.norm() {
+            // areas that cancel have no direction for corrections of second order to change
+            bent if bent.is_infinite() => *size,
+            bent if bent > 1.0 + FLAT => area.norm() * bent,
+            _ => area.norm(),
+        };
+        face.area.iter().zip(&shares).map(size).collect()
     }
 }

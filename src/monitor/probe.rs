@@ -251,9 +251,11 @@ fn prepare(scene: &Scene, bodies: &[BodyState], probe: &Probe) -> Result<Prepare
 
 /// Area-weighted mean over a face and its mirror images; a component across a plane cancels.
 fn face_mean(scene: &Scene, bodies: &[BodyState], region: &Region, axis: usize) -> Prepared {
-    let Some(face) = bodies[region.body].particles.face(&region.face) else { return Prepared::Plain };
-    let weights = face.nodes.iter().zip(&face.area).map(|(&a, area)| (a as usize, area.norm())).collect();
-    let total: f64 = face.area.iter().map(|area| area.norm()).sum();
+    let particles = &bodies[region.body].particles;
+    let Some(face) = particles.face(&region.face) else { return Prepared::Plain };
+    let sizes = particles.sizes(face);
+    let total: f64 = sizes.iter().sum();
+    let weights = face.nodes.iter().map(|&a| a as usize).zip(sizes).collect();
     let cancels = images(&scene.symmetry, normal_axis(scene, region), axis) == 0.0;
     Prepared::Weighted { body: region.body, weights, factor: if cancels { 0.0 } else { 1.0 / total } }
 }

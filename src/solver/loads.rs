@@ -40,8 +40,8 @@ impl ExternalForces {
             match load {
                 Load::Traction { region, traction, .. } if region.body == body => {
                     let Some(face) = particles.face(&region.face) else { continue };
-                    let weight = |(&a, area): (&u32, &Vec3)| (a, area.norm() / particles.volume[a as usize]);
-                    let nodes = face.nodes.iter().zip(&face.area).map(weight).collect();
+                    let weight = |(&a, size): (&u32, f64)| (a, size / particles.volume[a as usize]);
+                    let nodes = face.nodes.iter().zip(particles.sizes(face)).map(weight).collect();
                     let (components, face) = (traction.clone(), Some(region.face.clone()));
                     terms.push(Term { components, nodes, face, total: Vec3::zeros() });
                 }

@@ -152,3 +152,25 @@ fn a_curved_body_keeps_its_volumes() {
     assert_eq!(before.volume, after.volume);
     assert!(after.first_moment.is_empty());
 }
+
+#[test]
+fn the_sizes_of_a_face_of_two_planes_add_to_its_area() {
+    let whole = Shape::Box { min: Vec3::zeros(), max: Vec3::new(0.9, 0.6, 0.5) };
+    let corner = Shape::Box { min: Vec3::new(0.4, 0.3, 0.0), max: Vec3::new(0.9, 0.6, 0.5) };
+    let mut particles =
+        Particles::lattice(&Shape::Difference(Box::new(whole), vec![corner]), 0.1, [None; 3], 0.0).unwrap();
+    // of the two planes where the corner was cut off and of one plane, m²
+    for (name, exact) in [("hole", 0.5 * (0.5 + 0.3)), ("xmin", 0.6 * 0.5)] {
+        for quadratic in [false, true] {
+            if quadratic {
+                particles.integrate_quadratics().unwrap();
+            }
+            let face = particles.face(name).unwrap();
+            let sum: f64 = particles.sizes(face).iter().sum();
+            // some hundred areas of 0.01 m², corrected by moments of condition 1e4; as vectors those of the edge of `hole` lack 0.012 m²
+            assert!((sum - exact).abs() < 1e-12, "{name}: {sum}");
+            let vectors: f64 = face.area.iter().map(|area| area.norm()).sum();
+            assert_eq!((vectors - exact).abs() < 1e-12, name == "xmin", "{vectors}");
+        }
+    }
+}
