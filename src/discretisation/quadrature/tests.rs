@@ -167,7 +167,7 @@ fn the_sizes_of_a_face_of_two_planes_add_to_its_area() {
             }
             let face = particles.face(name).unwrap();
             let sum: f64 = particles.sizes(face).iter().sum();
-            // some hundred areas of 0.01 m², corrected by moments of condition 1e4; as vectors those of the edge of `hole` lack 0.012 m²
+            // some hundred areas of 0.01 m², corrected by moments of condition 1e4; as vectors those of the edge of `hole` lack 0.015 m²
             assert!((sum - exact).abs() < 1e-12, "{name}: {sum}");
             let vectors: f64 = face.area.iter().map(|area| area.norm()).sum();
             assert_eq!((vectors - exact).abs() < 1e-12, name == "xmin", "{vectors}");
