@@ -126,6 +126,7 @@ fn the_plan_says_what_the_momentum_dissipation_does_with_the_weights_it_has() {
         (0.0, 0.0, "both wave weights are 0"),
     ] {
         (scene.run.pressure_wave_weight, scene.run.shear_wave_weight) = (pressure, shear);
+        scene.run.hourglass_stiffness = 0.0;
         let (line, stiffness) = (line_of(&scene, "MomentumDissipation"), line_of(&scene, "gradient sees"));
         assert!(line.contains(says), "{line}");
         let both_off = pressure + shear == 0.0;

@@ -226,13 +226,16 @@ fn a_scheme_fills_in_what_is_not_written() {
     assert_eq!((improved.integrator, improved.cfl), (Integrator::VelocityVerlet, 0.9));
     assert_eq!((improved.formulation, improved.volume_dissipation), (None, VolumeDissipation::Off));
     assert_eq!(improved.consistency, Consistency::Integration);
-    assert_eq!((improved.momentum_dissipation, improved.wave_speed_every), (InterfaceStates::Linear, 10));
+    assert_eq!(
+        (improved.momentum_dissipation, improved.wave_speed_every),
+        (InterfaceStates::Variational, 100)
+    );
     assert_eq!(improved.written, ["until", "scheme"]);
     assert_eq!(run("integrator = tvd_rk2").cfl, 0.3);
     assert_eq!(run("integrator = tvd_rk2  cfl = 0.2").cfl, 0.2);
     assert_eq!(
         (run("integrator = ssp_rk3").integrator, run("integrator = ssp_rk3").cfl),
-        (Integrator::SspRk3, 0.9)
+        (Integrator::SspRk3, 0.8)
     );
     assert_eq!(
         (seed.angular_momentum, improved.angular_momentum),

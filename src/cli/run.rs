@@ -11,11 +11,11 @@ use super::memory::fits;
 use super::progress::Bar;
 use super::sweep::run_sweep;
 use crate::output::file::write_atomic;
-use crate::output::report::{ExpectationVerdict, RunStatus};
+use crate::output::report::{Balance, ExpectationVerdict, RunStatus};
 use crate::output::{Provenance, RunReport, Table};
 use crate::plan::Plan;
 use crate::run::{self, Outcome, RunError, execute, figures};
-use crate::scene::{Drive, Fit, Place, Plot, Scene, Sweep};
+use crate::scene::{Drive, Fit, Loading, Place, Plot, Scene, Sweep};
 use std::path::{Path, PathBuf};
 
 /// Runs a file's drives, fits, scenes and sweeps.
@@ -211,9 +211,42 @@ fn print_summary(scene: &Scene, report: &RunReport, folder: &Path) {
         report.wall_seconds,
         report.updates_per_second
     );
+    print_balance(scene, &report.balance);
     print_verdicts(&report.expectations);
     say!("  written to {}", folder.display());
 }
+
+/// Two lines on the energy of a run, and a third where a slow load ends out of equilibrium.
+fn print_balance(scene: &Scene, balance: &Balance) {
+    say!(
+        "  energy: {:.3e} J at the start, loads {:+.3e}, supports {:+.3e}, dissipated {:.3e}, damped {:.3e}; residual {:+.1e} of the \
+         largest",
+        balance.start,
+        balance.loads,
+        balance.supports,
+        balance.dissipated,
+        balance.damped,
+        balance.relative_residual()
+    );
+    say!(
+        "  at the end: strain {:.3e} J, kinetic {:.3e} J, {:.1e} of the strain energy in modes no gradient sees, least J {:.4}",
+        balance.strain,
+        balance.kinetic,
+        balance.unseen_share(),
+        balance.smallest_j
+    );
+    let left = balance.kinetic_over_strain();
+    if matches!(scene.run.loading, Loading::QuasiStatic { .. }) && left > STILL {
+        say!(
+            "  warns   not at rest: kinetic energy is {:.1} % of strain energy; load over a longer time",
+            100.0 * left
+        );
+    }
+}
+
+/// Kinetic over strain energy below which a slow load counts as in equilibrium: forces then err by some per cent, the
+/// inertia's share being of that order.
+const STILL: f64 = 0.01;
 
 /// The verdict on every `expect` line, with its numbers.
 pub(super) fn print_verdicts(verdicts: &[ExpectationVerdict]) {

@@ -26,6 +26,9 @@ pub struct WaveSpeeds {
     pub pressure: f64,
     /// The fastest of the second waves over the searched directions.
     pub shear: f64,
+    /// The slowest wave over the searched directions, brackets at their kink slack: shear of what is between the
+    /// fibres. Zero where a wave has no stiffness.
+    pub matrix: f64,
 }
 
 impl Law {
@@ -59,18 +62,22 @@ impl Law {
         if !tangent.iter().all(|value| value.is_finite()) {
             return Err(EnergyError::NonFiniteTangent { jacobian: f.determinant() });
         }
+        let slack = self.tangent(f, directions, Kink::Slack);
+        let mut slowest = f64::INFINITY;
         let mut ranked: Vec<(f64, Vec3)> = Vec::new();
         let mut second = f64::NEG_INFINITY;
         for start in starts(f, &directions[..self.directions()]) {
             let values = symmetric_eigen(&acoustic_tensor(&tangent, &start)).0;
             second = second.max(values[1]);
+            slowest = slowest.min(symmetric_eigen(&acoustic_tensor(&slack, &start)).0[2]);
             ranked.push((values[0], start));
         }
         ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
         let climbs = ranked.iter().take(CLIMBS).map(|(_, start)| climb(&tangent, *start));
         let largest = climbs.fold(f64::NEG_INFINITY, f64::max);
         if largest > 0.0 {
-            Ok(WaveSpeeds { pressure: (largest / density).sqrt(), shear: (second.max(0.0) / density).sqrt() })
+            let speed = |modulus: f64| (modulus.max(0.0) / density).sqrt();
+            Ok(WaveSpeeds { pressure: speed(largest), shear: speed(second), matrix: speed(slowest) })
         } else {
             Err(EnergyError::NoWave { largest })
         }

@@ -30,6 +30,9 @@ pub struct RunReport {
     pub updates_per_second: f64,
     /// Conserved totals at start and end.
     pub totals: Vec<TotalChange>,
+    /// What became of the energy; absent where nothing was run.
+    #[serde(default)]
+    pub balance: Balance,
     /// The verdict on every `expect` line.
     pub expectations: Vec<ExpectationVerdict>,
     /// Files written, relative to the folder of the report.
@@ -60,6 +63,50 @@ pub struct TotalChange {
     pub start: f64,
     /// At the end.
     pub end: f64,
+}
+
+/// Where the energy of a run came from and went, the whole body's.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Balance {
+    /// Energy at the start, J.
+    pub start: f64,
+    /// Kinetic energy at the end, J.
+    pub kinetic: f64,
+    /// Strain energy at the end, J.
+    pub strain: f64,
+    /// Energy at the end of the springs against displacements that no gradient sees, J.
+    pub springs: f64,
+    /// Work of the loads, J.
+    pub loads: f64,
+    /// Work of the supports, J.
+    pub supports: f64,
+    /// What the dissipation of momentum took, J.
+    pub dissipated: f64,
+    /// What the damping of quasi-static loading took, J.
+    pub damped: f64,
+    /// What is not accounted for, J.
+    pub residual: f64,
+    /// Smallest volume map at the end.
+    pub smallest_j: f64,
+}
+
+impl Balance {
+    /// Residual over the largest entry of the balance; zero where there is no energy.
+    pub fn relative_residual(&self) -> f64 {
+        let entries = [self.start, self.kinetic, self.strain, self.loads, self.supports, self.dissipated];
+        let largest = entries.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        if largest > 0.0 { self.residual / largest } else { 0.0 }
+    }
+
+    /// Kinetic over strain energy; zero where there is no motion.
+    pub fn kinetic_over_strain(&self) -> f64 {
+        if self.kinetic > 0.0 { self.kinetic / self.strain } else { 0.0 }
+    }
+
+    /// Energy of what no gradient sees over strain energy; zero where there is none.
+    pub fn unseen_share(&self) -> f64 {
+        if self.springs > 0.0 { self.springs / self.strain } else { 0.0 }
+    }
 }
 
 /// The verdict on one `expect` line.

@@ -27,7 +27,9 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     let written = |key: &str| run.written.iter().any(|written| written == key);
     let origin = |key: &str| match key {
         _ if written(key) => written_at(run, key),
-        "cfl" if written("integrator") => format!("integrator of {}", written_at(run, "integrator")),
+        "cfl" if written("integrator") => {
+            format!("integrator of {}", written_at(run, "integrator"))
+        }
         "smoothing" if quadratic => format!("completeness of {}", written_at(run, "completeness")),
         "damping" | "volume_relaxation" => "the plan".into(),
         _ => format!("scheme {scheme}"),
@@ -83,8 +85,7 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
         match run.momentum_dissipation {
             InterfaceStates::Off => "off",
             InterfaceStates::Constant => "constant",
-            InterfaceStates::Linear => "linear",
-            InterfaceStates::Limited => "limited",
+            InterfaceStates::Variational => "variational",
         }
         .into(),
     );

@@ -35,9 +35,8 @@ pub(super) fn why_dissipated(run: &Run) -> String {
         InterfaceStates::Off => format!("switched off, {}", written_at(run, "momentum_dissipation")),
         _ if damps(run) == Damps::Nothing => format!("{what}, {}", written_at(run, "shear_wave_weight")),
         InterfaceStates::Constant => format!("{what}; states of the particles (33)"),
-        InterfaceStates::Linear => format!("{what}; states carried to mid-pair (33)"),
-        InterfaceStates::Limited => {
-            format!("{what}; states carried to mid-pair, no pair gains energy (33)")
+        InterfaceStates::Variational => {
+            format!("{what}; states carried to mid-pair, never feeds energy (33)")
         }
     }
 }

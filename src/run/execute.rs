@@ -8,7 +8,7 @@ use super::expect::judge_all;
 use super::sampling::{Filming, Recording};
 use super::schedule::Schedule;
 use crate::monitor::{Observer, RESIDUAL_MOMENT, largest_residual, totals};
-use crate::output::report::{Choice, RunStatus, TotalChange};
+use crate::output::report::{Balance, Choice, RunStatus, TotalChange};
 use crate::output::{Provenance, RunReport, Table, TableColumn, TableWriter};
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -94,7 +94,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
     let mut frames: Vec<Filming<'_>> = scene.frames.iter().map(|frames| Filming::new(job, frames)).collect();
     let exact = motion_table(job, &simulation)?;
     let setup = clock.elapsed();
-    let mut failure = None;
+    let failure;
     loop {
         let time = simulation.time();
         let mut schedules = records.iter().map(|r| &r.schedule).chain(frames.iter().map(|f| &f.schedule));
@@ -119,6 +119,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         let due = records.iter().map(|r| &r.schedule).chain(frames.iter().map(|f| &f.schedule));
         let next = due.filter_map(Schedule::next).fold(scene.run.until, f64::min);
         if time >= scene.run.until {
+            failure = simulation.judge_energy().err().map(RunError::Solve);
             break;
         }
         match advance(&mut simulation, next, scene.run.until, progress) {
@@ -155,6 +156,7 @@ pub fn execute(job: &Job<'_>, progress: &mut dyn Progress) -> Result<Outcome, Ru
         wall_seconds: wall,
         updates_per_second: updates / wall.max(f64::MIN_POSITIVE),
         totals: total_changes(&before, &after),
+        balance: balance(&mut simulation, scene),
         expectations,
         files: Vec::new(),
         status,
@@ -221,6 +223,28 @@ fn advance(
         if reached {
             return Ok(true);
         }
+    }
+}
+
+/// The ledger of a simulation, for the whole bodies.
+fn balance(simulation: &mut Simulation, scene: &Scene) -> Balance {
+    let now = simulation.energies();
+    let ledger = simulation.ledger();
+    let images = f64::from(2_u32.pow(scene.symmetry.iter().flatten().count() as u32));
+    let smallest_j = simulation.bodies().iter().flat_map(|body| {
+        (0..body.len()).map(move |a| crate::monitor::field_value(body, a, crate::scene::Field::J))
+    });
+    Balance {
+        start: images * ledger.start.total(),
+        kinetic: images * now.kinetic,
+        strain: images * now.strain,
+        springs: images * now.springs,
+        loads: images * ledger.loads,
+        supports: images * ledger.supports,
+        dissipated: images * ledger.dissipated,
+        damped: images * ledger.damped,
+        residual: images * ledger.residual(&now),
+        smallest_j: smallest_j.fold(f64::INFINITY, f64::min),
     }
 }
 

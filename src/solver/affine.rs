@@ -6,6 +6,7 @@
 use super::body::{BodyState, CHUNK};
 use super::bond::Bonds;
 use super::quad::Quad;
+use crate::discretisation::Particles;
 use crate::plan::{Pass, Plan};
 use crate::scene::Scene;
 use crate::tensor::Vec3;
@@ -106,6 +107,19 @@ impl AffineMotion {
         for (v, reference) in velocity.iter_mut().zip(reference) {
             *v = self.velocity(reference, ends);
         }
+    }
+
+    /// Power of the damping, `Σ m η (v_affine − v) · v`, W; arguments as [`AffineMotion::damp`].
+    pub fn power(
+        &self,
+        rate: f64,
+        particles: &Particles,
+        density: f64,
+        ends: &[(f64, f64)],
+        velocity: &[Quad],
+    ) -> f64 {
+        let each = particles.position.iter().zip(&particles.volume).zip(velocity);
+        each.map(|((x, volume), v)| density * volume * rate * (self.velocity(x, ends) - *v).dot(*v)).sum()
     }
 
     /// Adds the damping `−η (v − v_affine)` to the accelerations.

@@ -5,8 +5,7 @@
 use super::constraint::Support;
 use super::dissipation::Speeds;
 use super::exact::Exact;
-use super::force::Packet;
-use super::hourglass::Hourglass;
+use super::hourglass::{Hourglass, Packet};
 use super::links::Links;
 use super::quad::{Columns, Quad};
 use super::time_step::Rates;
@@ -34,6 +33,8 @@ pub struct Block {
     pub saved: (Vec<Mat3>, Vec<Mat3>, Vec<f64>),
     /// First particle of the chunk whose state is inadmissible.
     pub failure: Option<Failure>,
+    /// Greatest `|Grad v|²` of the last evaluation, 1/s².
+    pub straining: f64,
     /// Greatest wave speed in the chunk at the last refresh and its particle, m/s.
     pub fastest: (f64, usize),
 }
@@ -139,11 +140,13 @@ pub struct BodyState {
     pub saved: (Vec<Quad>, Vec<Quad>),
     /// Maps, chunk by chunk.
     pub blocks: Vec<Block>,
-    /// Stress and velocity gradient, what neighbours read.
+    /// Gradients and spin, what neighbours read of a motion.
     pub packets: Vec<Packet>,
+    /// First Piola–Kirchhoff stress of the energy, Pa.
+    pub stress: Vec<Columns>,
     /// Area maps as neighbours read them, empty without volume dissipation.
     pub area_map: Vec<Columns>,
-    /// Pair penalty against hourglass modes, where the scene asks for it.
+    /// Springs and dashpots against what no gradient sees, where the scene has any.
     pub hourglass: Option<Hourglass>,
     /// Square of the fastest frequency the penalty adds, 1/s².
     pub hourglass_rate: f64,
@@ -185,8 +188,12 @@ impl BodyState {
 
     /// First Piola–Kirchhoff stress of a particle at the last evaluation, that of its energy alone, Pa.
     pub fn stress(&self, particle: usize) -> Mat3 {
-        let packet = &self.packets[particle].stress;
-        self.hourglass.as_ref().map_or(packet, |hourglass| &hourglass.constitutive[particle]).matrix()
+        self.stress[particle].matrix()
+    }
+
+    /// Greatest `|Grad v|` of the last evaluation, 1/s.
+    pub fn straining(&self) -> f64 {
+        libm::sqrt(self.blocks.iter().map(|block| block.straining).fold(0.0, f64::max))
     }
 
     /// Number of particles.
@@ -212,7 +219,7 @@ impl BodyState {
         let quads = self.x.len() + self.v.len() + self.saved.0.len() + self.saved.1.len();
         maps + (quads + self.acceleration.len() + self.external.len()) * size_of::<Quad>()
             + self.packets.len() * size_of::<Packet>()
-            + self.area_map.len() * size_of::<Columns>()
+            + (self.stress.len() + self.area_map.len()) * size_of::<Columns>()
             + self.inverse_volume.len() * size_of::<f64>()
             + self.hourglass.as_ref().map_or(0, Hourglass::bytes)
             + self.links.bytes()

@@ -5,7 +5,7 @@
 
 use super::body::{BodyState, Failure};
 use super::error::{Cause, SolveError};
-use crate::scene::{Integrator, Run, VolumeDissipation};
+use crate::scene::{Run, VolumeDissipation};
 use crate::tensor::{Vec3, cofactor, volume_map};
 
 /// The first particle the last stress pass found inadmissible, as an error.
@@ -55,7 +55,7 @@ pub fn not_finite(bodies: &[BodyState], run: &Run, step: f64, time: f64) -> Opti
 /// Tested in the order of how certain each is: a drifted volume map can be measured, a Courant
 /// number is known, a load faster than sound, one beyond the stiffness at rest and a lost extent can be measured,
 /// an overflow shows in the stretch.
-fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
+pub fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
     let f = body.f(particle);
     let det = volume_map(f, &cofactor(f));
     if run.volume_dissipation != VolumeDissipation::Off
@@ -70,13 +70,12 @@ fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
     if body.external.iter().any(|force| !force.dot(*force).is_finite()) {
         return Cause::UndefinedLoad;
     }
-    let limit = match run.integrator {
-        Integrator::TvdRk2 => TVD_RK2_LIMIT,
-        Integrator::SspRk3 => SSP_RK3_LIMIT,
-        Integrator::VelocityVerlet => VERLET_LIMIT,
-    };
+    let limit = run.courant_limit();
     if run.cfl > limit {
-        return Cause::CourantNumber(run.cfl);
+        return Cause::CourantNumber { cfl: run.cfl, limit };
+    }
+    if let Some(cause) = outgrown(body, run, limit) {
+        return cause;
     }
     let driven = body.supports.iter().map(|support| support.velocity(0, step).abs());
     let mach = driven.fold(body.launch_speed, f64::max) / body.rest.pressure;
@@ -91,6 +90,23 @@ fn cause(body: &BodyState, particle: usize, run: &Run, step: f64) -> Cause {
         return Cause::FibreOverflow(libm::sqrt((f.transpose() * f).symmetric_eigenvalues().max()));
     }
     Cause::Unknown
+}
+
+/// A material that has stiffened beyond the step, where the wave speed at rest is kept.
+///
+/// Held against the limit is the median of the speeds of all particles, of which a few broken ones decide nothing.
+fn outgrown(body: &BodyState, run: &Run, limit: f64) -> Option<Cause> {
+    if run.wave_speed_every > 0 {
+        return None;
+    }
+    let speed = |a: usize| {
+        let speeds = body.law.wave_speeds(body.f(a), body.directions.of(a), body.density);
+        speeds.map_or(f64::INFINITY, |speeds| speeds.pressure)
+    };
+    let mut speeds: Vec<f64> = (0..body.len()).map(speed).collect();
+    speeds.sort_by(f64::total_cmp);
+    let ratio = speeds[speeds.len() / 2] / body.rest.pressure;
+    (run.cfl * ratio > limit).then_some(Cause::OutgrownStep { ratio })
 }
 
 /// A load beyond the stiffness of the material at rest.
@@ -169,11 +185,6 @@ const PRESSED: f64 = 0.75;
 
 /// A gap between J and det F that can no longer be a truncation error.
 const DRIFT: f64 = 0.1;
-
-/// Courant numbers up to which each integrator was measured stable, docs/seed_and_improved.md.
-const TVD_RK2_LIMIT: f64 = 1.0;
-const SSP_RK3_LIMIT: f64 = 1.0;
-const VERLET_LIMIT: f64 = 1.0;
 
 /// Mach number above which a load counts as an impact.
 const LOUD: f64 = 0.5;

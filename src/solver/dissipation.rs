@@ -6,7 +6,7 @@
 use super::quad::{Columns, Quad};
 
 /// Wave speeds that weigh the jump of a pair, with their switches applied.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Speeds {
     /// Pressure wave speed times its weight, m/s.
     pub pressure: f64,
@@ -62,50 +62,6 @@ pub fn linear_jump(
     half_step: &[f64; 3],
 ) -> Quad {
     difference - gradient_a.plus(gradient_b).apply(half_step)
-}
-
-/// A jump limited so that the pair loses energy by it.
-///
-/// ```text
-/// j ↦ φ((n·j)/(n·d)) (n·j) n + φ(t·d'/d'·d') t,    φ(r) = max(0, min(1, r))
-/// t = j − (n·j) n,   d' = d − (n·d) n
-/// ```
-///
-/// Differs from [NB25 (33)], which knows no limiter: the traction works against the reconstructed jump `j`,
-/// its power is that of the whole difference `d`, and where the two disagree in sign the pair gains energy.
-/// `φ` is the minmod limiter of total-variation-diminishing schemes, normal and tangential parts each for
-/// themselves; the loss of a pair is at most `|j|²`, as if the power were that of the jump. Measured effect:
-/// `docs/seed_and_improved.md`, section 4.
-///
-/// | argument | meaning | unit |
-/// |---|---|---|
-/// | `jump` | `j`, of [`linear_jump`] | m s⁻¹ |
-/// | `difference` | `d = v_b − v_a` | m s⁻¹ |
-/// | `distance` | `x_b − x_a`, along `n` | m |
-///
-/// Returns a jump in m s⁻¹.
-///
-/// Exact in floating point: exchanging `a` and `b` flips the result.
-#[inline(always)]
-pub fn limited_jump(jump: Quad, difference: Quad, distance: Quad) -> Quad {
-    let square = distance.dot(distance);
-    let part = |v: Quad| distance * (distance.dot(v) / square);
-    let (jump_along, along) = (part(jump), part(difference));
-    let (jump_across, across) = (jump - jump_along, difference - along);
-    jump_along * minmod(jump_along, along) + jump_across * minmod(jump_across, across)
-}
-
-/// `max(0, min(1, j·d/d·d))`: how much of a jump is kept beside a difference.
-#[inline(always)]
-fn minmod(jump: Quad, difference: Quad) -> f64 {
-    let (agreement, whole) = (jump.dot(difference), difference.dot(difference));
-    if agreement >= whole && agreement > 0.0 {
-        1.0
-    } else if agreement > 0.0 {
-        agreement / whole
-    } else {
-        0.0
-    }
 }
 
 /// Stabilising momentum of the pair `(a, b)`, for the volume map.
@@ -176,62 +132,6 @@ mod tests {
             let jump = linear_jump(Quad::new(&(gradient * d)), &columns, &columns, &(0.5 * d).into());
             // two sums of three products below 2
             prop_assert!(jump.vector().norm() <= 2.0 * 12.0 * f64::EPSILON);
-        }
-
-        #[test]
-        fn exchanging_the_particles_flips_the_limited_jump_exactly(
-            jump in vector(), difference in vector(), d in vector(),
-        ) {
-            let [j, v, d] = [jump, difference, d].map(|v| Quad::new(&v));
-            let back = limited_jump(j * -1.0, v * -1.0, d * -1.0);
-            prop_assert_eq!(limited_jump(j, v, d).vector(), -back.vector());
-        }
-
-        #[test]
-        fn the_limited_traction_never_feeds_the_pair(
-            jump in vector(), difference in vector(), d in vector(), shear in 0.0..3.0,
-        ) {
-            let speeds = Speeds { pressure: 3.0, shear };
-            let limited = limited_jump(Quad::new(&jump), Quad::new(&difference), Quad::new(&d));
-            let power = interface_traction(limited, Quad::new(&d), speeds).dot(Quad::new(&difference));
-            // a dozen operations on numbers below 5
-            prop_assert!(power >= -5.0 * 12.0 * f64::EPSILON);
-        }
-
-        #[test]
-        fn a_jump_of_constant_states_is_kept_and_one_against_them_is_not(jump in vector(), d in vector()) {
-            let (j, d) = (Quad::new(&jump), Quad::new(&d));
-            // two projections of a dozen operations on numbers below 2
-            prop_assert!((limited_jump(j, j, d).vector() - jump).norm() <= 2.0 * 24.0 * f64::EPSILON);
-            prop_assert_eq!(limited_jump(j, j * -1.0, d).vector(), Vec3::zeros());
-        }
-
-        // The limiter with its ratios formed: the slow route the fast one must match.
-        #[test]
-        fn the_limited_jump_agrees_with_the_formula_as_printed(
-            jump in vector(), difference in vector(), d in vector(),
-        ) {
-            let n = d.normalize();
-            let phi = |ratio: f64| ratio.clamp(0.0, 1.0);
-            let (t, across) = (jump - n.dot(&jump) * n, difference - n.dot(&difference) * n);
-            // the ratio of two small numbers is a matter of rounding
-            prop_assume!(n.dot(&difference).abs() > 0.05 && across.norm() > 0.05);
-            let along = n.dot(&jump);
-            let printed = phi(along / n.dot(&difference)) * along * n
-                + phi(t.dot(&across) / across.norm_squared()) * t;
-            let fast = limited_jump(Quad::new(&jump), Quad::new(&difference), Quad::new(&d)).vector();
-            // two dozen operations, a ratio of numbers below 2 over one above 0.05, squared
-            prop_assert!((fast - printed).norm() <= 2.0 * 24.0 * f64::EPSILON * 40.0 * 40.0);
-        }
-
-        #[test]
-        fn what_is_kept_of_a_jump_without_shear_speed_is_along_the_pair(
-            jump in vector(), difference in vector(), d in vector(),
-        ) {
-            let along = Speeds { pressure: 3.0, shear: 0.0 };
-            let limited = limited_jump(Quad::new(&jump), Quad::new(&difference), Quad::new(&d));
-            let traction = interface_traction(limited, Quad::new(&d), along).vector();
-            prop_assert!(traction.cross(&d).norm() <= 5.0 * 12.0 * f64::EPSILON);
         }
 
         #[test]

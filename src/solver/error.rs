@@ -114,6 +114,23 @@ pub enum SolveError {
         /// What most likely brought it there.
         cause: Cause,
     },
+    /// The energy exceeds everything that was put in.
+    EnergyFromNothing {
+        /// Index of the fastest particle, in its body.
+        particle: usize,
+        /// Name of the body.
+        body: String,
+        /// Its reference position, m.
+        position: Vec3,
+        /// Time, s.
+        time: f64,
+        /// Kinetic and strain energy now, J.
+        energy: f64,
+        /// Energy at the start and the greatest work of loads and supports since, J.
+        given: f64,
+        /// What most likely brought it about.
+        cause: Cause,
+    },
     /// The stable time step fell below what makes sense.
     TimeStepTooSmall {
         /// Index of the particle that asks for it, in its body.
@@ -128,6 +145,8 @@ pub enum SolveError {
         required: f64,
         /// Smallest step allowed, s.
         allowed: f64,
+        /// What most likely brought it about.
+        cause: Cause,
     },
 }
 
@@ -136,7 +155,17 @@ pub enum SolveError {
 #[non_exhaustive]
 pub enum Cause {
     /// The time step was above what Verlet or Heun can bear.
-    CourantNumber(f64),
+    CourantNumber {
+        /// The Courant number.
+        cfl: f64,
+        /// Where the integrator loses stability; zero for one that has none.
+        limit: f64,
+    },
+    /// The material has stiffened beyond a step that keeps the wave speed at rest.
+    OutgrownStep {
+        /// Wave speed now over that at rest.
+        ratio: f64,
+    },
     /// The volume map drifted from `det F` under D(J), which has no restoring force.
     VolumeDissipationDrift(f64),
     /// The load deforms the material faster than pressure waves can spread it.
@@ -174,9 +203,21 @@ pub enum Cause {
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::CourantNumber(cfl) => {
-                write!(f, "the Courant number {cfl} is above the stability limit; write a smaller `cfl`")
-            }
+            Self::CourantNumber { cfl, limit: 0.0 } => write!(
+                f,
+                "Heun's method amplifies undamped waves at every step, at the Courant number {cfl} as at any; write \
+                 `integrator = velocity_verlet`"
+            ),
+            Self::CourantNumber { cfl, limit } => write!(
+                f,
+                "the Courant number {cfl} is above the integrator's limit of {limit:.3}; write `cfl = {:.2}`",
+                0.9 * limit
+            ),
+            Self::OutgrownStep { ratio } => write!(
+                f,
+                "waves have become {ratio:.3e} times as fast as at rest, and the step is that of the speed at rest; \
+                 write `wave_speed_every = 100`"
+            ),
             Self::VolumeDissipationDrift(gap) => write!(
                 f,
                 "J has drifted {gap:.2e} from det F under volume dissipation, which has no restoring force; \
@@ -184,7 +225,7 @@ impl fmt::Display for Cause {
             ),
             Self::LoadTooFast(mach) => write!(
                 f,
-                "the load moves at {mach:.2} times the pressure wave speed; load over a longer time"
+                "the load moves at {mach:.2} times the pressure wave speed; load over a longer time, or write `cfl = 0.3`"
             ),
             Self::FibreOverflow(stretch) => write!(
                 f,
@@ -274,14 +315,34 @@ impl fmt::Display for SolveError {
                  X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: {cause}",
                 x.x, x.y, x.z
             ),
-            Self::TimeStepTooSmall { particle, body, position: x, time, required, allowed } => write!(
-                f,
-                "stable time step {required:.3e} s is below the smallest sensible {allowed:.3e} s at particle \
-                 {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: \
-                 the material has stiffened there beyond what the scene meant, or the end time asks for more than \
-                 1e9 steps",
-                x.x, x.y, x.z
-            ),
+            Self::EnergyFromNothing { particle, body, position: x, time, energy, given, cause } => {
+                write!(
+                    f,
+                    "the energy of {energy:.3e} J has come from nothing, {given:.3e} J was put in; fastest is particle \
+                     {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: ",
+                    x.x, x.y, x.z
+                )?;
+                match cause {
+                    Cause::Unknown => write!(f, "steps too long for this integrator; write a smaller `cfl`"),
+                    cause => write!(f, "{cause}"),
+                }
+            }
+            Self::TimeStepTooSmall { particle, body, position: x, time, required, allowed, cause } => {
+                write!(
+                    f,
+                    "stable time step {required:.3e} s is below the smallest sensible {allowed:.3e} s at particle \
+                     {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: ",
+                    x.x, x.y, x.z
+                )?;
+                match cause {
+                    Cause::Unknown => write!(
+                        f,
+                        "the material has stiffened there beyond what the scene meant, or the end time asks for \
+                         more than 1e9 steps"
+                    ),
+                    cause => write!(f, "{cause}"),
+                }
+            }
         }
     }
 }

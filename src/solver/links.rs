@@ -1,21 +1,19 @@
 //! What a pair of particles carries through the whole run.
 //!
 //! Owns the constants of the pair loops in the order the loops read them: neighbours, weighted
-//! gradients, reference distances and the weight of the dissipation. Total Lagrangian, so all of it
+//! gradients, reference distances and interface areas. Total Lagrangian, so all of it
 //! is computed once. Knows no state.
 
 use crate::discretisation::{Particles, Stencils};
 
-/// Constants of a pair `(a, b)` beside the forward gradient.
+/// What a pair `(a, b)` knows of its geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Pair {
-    /// `V_b G_a(X_b)`, m².
-    pub backward: [f64; 3],
     /// Half of `X_b − X_a`, m: what a state is carried over.
     pub half_step: [f64; 3],
     /// [`Stencils::interface`], m².
-    pub dissipation: f64,
+    pub interface: f64,
 }
 
 /// All pairs in compressed rows, a particle's own entry left out.
@@ -30,7 +28,9 @@ pub struct Links {
     pub neighbour: Vec<u32>,
     /// `V_a G_b(X_a)` of each pair, m².
     pub forward: Vec<[f64; 3]>,
-    /// The other constants of each pair.
+    /// `V_b G_a(X_b)` of each pair, m².
+    pub backward: Vec<[f64; 3]>,
+    /// Distance and interface of each pair.
     pub pair: Vec<Pair>,
 }
 
@@ -42,6 +42,7 @@ impl Links {
             start: Vec::with_capacity(count + 1),
             neighbour: Vec::with_capacity(stencils.neighbour.len()),
             forward: Vec::with_capacity(stencils.neighbour.len()),
+            backward: Vec::with_capacity(stencils.neighbour.len()),
             pair: Vec::with_capacity(stencils.neighbour.len()),
         };
         links.start.push(0);
@@ -54,11 +55,10 @@ impl Links {
                 let distance = particles.position[b] - particles.position[a];
                 links.neighbour.push(b as u32);
                 links.forward.push(stencils.forward[entry].into());
-                links.pair.push(Pair {
-                    backward: stencils.backward[entry].into(),
-                    half_step: (0.5 * distance).into(),
-                    dissipation: stencils.interface[entry],
-                });
+                links.backward.push(stencils.backward[entry].into());
+                links
+                    .pair
+                    .push(Pair { half_step: (0.5 * distance).into(), interface: stencils.interface[entry] });
             }
             links.start.push(links.neighbour.len() as u32);
         }
@@ -73,7 +73,7 @@ impl Links {
 
     /// Bytes held, for the plan's account of cost.
     pub fn bytes(&self) -> usize {
-        self.neighbour.len() * (size_of::<u32>() + size_of::<[f64; 3]>() + size_of::<Pair>())
+        self.neighbour.len() * (size_of::<u32>() + 2 * size_of::<[f64; 3]>() + size_of::<Pair>())
             + self.start.len() * size_of::<u32>()
     }
 }

@@ -5,13 +5,12 @@
 
 use super::body::{Block, BodyState, CHUNK, Failure, Workspace};
 use super::dissipation::Speeds;
-use super::force::{
-    Meeting, Packet, constant_states, internal, internal_and_dissipation, limited_states, linear_states,
-    volume_dissipation,
-};
+use super::force::{internal, internal_and_upwinding, volume_dissipation};
+use super::hourglass::Packet;
 use super::kinematics::{area_map_rate, velocity_gradient, volume_map_rate, volume_restoring};
 use super::links::Links;
 use super::quad::{Columns, Quad};
+use super::wide::wide;
 use crate::scene::InterfaceStates;
 use crate::tensor::{Mat3, cofactor, volume_map};
 use rayon::prelude::*;
@@ -46,10 +45,12 @@ impl Default for Workspaces {
 /// Verlet advances the maps here with the mid-step velocity; Runge–Kutta passes 0 and advances them
 /// with [`advance_maps`].
 pub fn maps_and_stress(body: &mut BodyState, step: f64, workspaces: &Workspaces) {
-    let BodyState { links, v, inverse_volume, blocks, packets, area_map, law, directions, .. } = body;
+    let BodyState { links, v, inverse_volume, blocks, packets, stress, area_map, law, directions, .. } = body;
+    let turns = body.hourglass.is_some();
     let (links, v, inverse_volume) = (&*links, &v[..], &inverse_volume[..]);
-    blocks.par_iter_mut().zip(packets.par_chunks_mut(CHUNK)).for_each(|(block, packets)| {
-        velocity_gradients(links, v, inverse_volume, block.start, packets);
+    let chunks = packets.par_chunks_mut(CHUNK).zip(stress.par_chunks_mut(CHUNK));
+    blocks.par_iter_mut().zip(chunks).for_each(|(block, (packets, out))| {
+        block.straining = wide!(velocity_gradients(links, v, inverse_volume, block.start, packets));
         if step > 0.0 {
             advance_by_midpoint(block, packets, step);
         }
@@ -59,8 +60,15 @@ pub fn maps_and_stress(body: &mut BodyState, step: f64, workspaces: &Workspaces)
         let at = directions.slice(block.start, block.f.len());
         law.stress(block.maps(), at, stress, &mut workspace.energy);
         block.failure = inadmissible(block, stress);
-        for (packet, stress) in packets.iter_mut().zip(stress) {
-            packet.stress = Columns::new(stress);
+        for (out, stress) in out.iter_mut().zip(stress) {
+            *out = Columns::new(stress);
+        }
+        if turns {
+            for (packet, f) in packets.iter_mut().zip(&block.f) {
+                let h = cofactor(f);
+                packet.f = Columns::new(f);
+                packet.turn(&(h / volume_map(f, &h)));
+            }
         }
     });
     if !area_map.is_empty() {
@@ -72,48 +80,22 @@ pub fn maps_and_stress(body: &mut BodyState, step: f64, workspaces: &Workspaces)
     }
 }
 
+/// Velocity gradients of a chunk; returns the greatest of their squares, 1/s².
 #[inline(always)]
-fn velocity_gradients_of_chunk(
-    links: &Links,
-    velocity: &[Quad],
-    inverse_volume: &[f64],
-    start: usize,
-    packets: &mut [Packet],
-) {
-    for (i, packet) in packets.iter_mut().enumerate() {
-        packet.gradient = velocity_gradient(links, start + i, velocity, inverse_volume[start + i]);
-    }
-}
-
 fn velocity_gradients(
     links: &Links,
     velocity: &[Quad],
     inverse_volume: &[f64],
     start: usize,
     packets: &mut [Packet],
-) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        /// The same operations in wider registers; no contraction, so the bits are the same.
-        #[target_feature(enable = "avx2")]
-        fn wide(links: &Links, velocity: &[Quad], inverse: &[f64], start: usize, packets: &mut [Packet]) {
-            velocity_gradients_of_chunk(links, velocity, inverse, start, packets);
-        }
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has the feature, asked for in the line above.
-            return unsafe { wide(links, velocity, inverse_volume, start, packets) };
-        }
+) -> f64 {
+    let mut greatest = 0.0_f64;
+    for (i, packet) in packets.iter_mut().enumerate() {
+        let gradient = velocity_gradient(links, start + i, velocity, inverse_volume[start + i]);
+        packet.gradient = gradient;
+        greatest = greatest.max(gradient.0.iter().map(|column| column.dot(*column)).sum());
     }
-    velocity_gradients_of_chunk(links, velocity, inverse_volume, start, packets);
-}
-
-/// Velocity gradients of all particles of a body, into its packets.
-pub fn velocity_gradients_of_body(body: &mut BodyState) {
-    let BodyState { links, v, inverse_volume, packets, .. } = body;
-    let (links, v, inverse_volume) = (&*links, &v[..], &inverse_volume[..]);
-    packets.par_chunks_mut(CHUNK).enumerate().for_each(|(index, packets)| {
-        velocity_gradients(links, v, inverse_volume, index * CHUNK, packets);
-    });
+    greatest
 }
 
 /// `F = Σ_b (x_b − x_a) ⊗ G_b(X_a)` of all particles: what the positions say, whatever was added up before.
@@ -213,28 +195,44 @@ pub struct VolumeTerms {
 
 /// Second pass: `dp/dt / ρR` of every particle, and D(J).
 pub fn forces(body: &mut BodyState, terms: ForceTerms) {
-    let BodyState {
-        links, x, v, inverse_volume, packets, acceleration, external, density, hourglass, ..
-    } = body;
-    let hourglass = hourglass.as_ref().map_or(&[][..], |hourglass| &hourglass.force[..]);
-    let density = *density;
-    let chunk = ForceChunk { links, x, v, inverse_volume, packets, external, hourglass, density, terms };
+    let BodyState { links, x, v, inverse_volume, stress, acceleration, external, density, hourglass, .. } =
+        body;
+    let read = ForceChunk {
+        links,
+        x,
+        v,
+        inverse_volume,
+        stress: hourglass.as_ref().map_or(stress, |hourglass| &hourglass.stress),
+        external,
+        hourglass: hourglass.as_ref().map_or(&[], |hourglass| &hourglass.force),
+        density: *density,
+        upwinding: terms.upwinding(*density),
+    };
     acceleration
         .par_chunks_mut(CHUNK)
         .enumerate()
-        .for_each(|(index, acceleration)| chunk.accelerations(index * CHUNK, acceleration));
+        .for_each(|(index, acceleration)| wide!(read.accelerations(index * CHUNK, acceleration)));
     if let Some(VolumeTerms { speed, relaxation }) = terms.volume {
-        let BodyState { links, x, inverse_volume, packets, area_map, blocks, density, .. } = body;
+        let BodyState { links, x, inverse_volume, stress, area_map, blocks, density, .. } = body;
         blocks.par_iter_mut().for_each(|block| {
             for (i, rate) in block.volume_dissipation.iter_mut().enumerate() {
                 let a = block.start + i;
-                *rate =
-                    volume_dissipation(links, a, packets, x, area_map, *density, speed, inverse_volume[a]);
+                *rate = volume_dissipation(links, a, stress, x, area_map, *density, speed, inverse_volume[a]);
                 if relaxation > 0.0 {
                     *rate += volume_restoring(&block.f[i], block.j[i], relaxation);
                 }
             }
         });
+    }
+}
+
+impl ForceTerms {
+    /// Impedances of the upwinding between the particles' own momenta, kg m⁻² s⁻¹; `None` where the force pass has
+    /// none.
+    fn upwinding(&self, density: f64) -> Option<Speeds> {
+        let constant = self.states == InterfaceStates::Constant;
+        constant
+            .then(|| Speeds { pressure: density * self.speeds.pressure, shear: density * self.speeds.shear })
     }
 }
 
@@ -244,67 +242,26 @@ struct ForceChunk<'a> {
     x: &'a [Quad],
     v: &'a [Quad],
     inverse_volume: &'a [f64],
-    packets: &'a [Packet],
+    stress: &'a [Columns],
     external: &'a [Quad],
     hourglass: &'a [Quad],
     density: f64,
-    terms: ForceTerms,
+    upwinding: Option<Speeds>,
 }
 
 impl ForceChunk<'_> {
+    /// Accelerations from the stresses, with what acts from outside.
+    #[inline(always)]
     fn accelerations(&self, start: usize, out: &mut [Quad]) {
-        #[cfg(target_arch = "x86_64")]
-        {
-            /// The same operations in wider registers; no contraction, so the bits are the same.
-            #[target_feature(enable = "avx2")]
-            fn wide(chunk: &ForceChunk<'_>, start: usize, out: &mut [Quad]) {
-                chunk.sums(start, out);
-            }
-            if std::arch::is_x86_feature_detected!("avx2") {
-                // SAFETY: the processor has the feature, asked for in the line above.
-                return unsafe { wide(self, start, out) };
-            }
-        }
-        self.sums(start, out);
-    }
-
-    #[inline(always)]
-    fn sums(&self, start: usize, out: &mut [Quad]) {
-        let Speeds { pressure, shear } = self.terms.speeds;
-        let impedance = Speeds { pressure: self.density * pressure, shear: self.density * shear };
-        match self.terms.states {
-            InterfaceStates::Off => {
-                let (links, packets, inverse) = (self.links, self.packets, self.inverse_volume);
-                self.each(start, out, |a| internal(links, a, packets, inverse[a]));
-            }
-            InterfaceStates::Constant => self.with_jumps(start, out, impedance, constant_states),
-            InterfaceStates::Linear => self.with_jumps(start, out, impedance, linear_states),
-            InterfaceStates::Limited => self.with_jumps(start, out, impedance, limited_states),
-        }
-    }
-
-    /// Accelerations with the dissipation of the jumps given.
-    #[inline(always)]
-    fn with_jumps(
-        &self,
-        start: usize,
-        out: &mut [Quad],
-        impedance: Speeds,
-        jump: impl Fn(Meeting<'_>) -> Quad,
-    ) {
-        let (links, packets, inverse) = (self.links, self.packets, self.inverse_volume);
-        self.each(start, out, |a| {
-            internal_and_dissipation(links, a, packets, self.x, self.v, impedance, inverse[a], &jump)
-        });
-    }
-
-    /// Accelerations from a force of the stresses, with what acts from outside.
-    #[inline(always)]
-    fn each(&self, start: usize, out: &mut [Quad], force: impl Fn(usize) -> Quad) {
-        let inverse = self.inverse_volume;
+        let (links, stress, inverse) = (self.links, self.stress, self.inverse_volume);
         for (i, out) in out.iter_mut().enumerate() {
             let a = start + i;
-            *out = force(a);
+            *out = match self.upwinding {
+                None => internal(links, a, stress, inverse[a]),
+                Some(impedance) => {
+                    internal_and_upwinding(links, a, stress, self.x, self.v, impedance, inverse[a])
+                }
+            };
             if let Some(&external) = self.external.get(a) {
                 *out += external;
             }

@@ -4,7 +4,7 @@
 //! operation. The fourth number is zero and stays zero. Knows nothing else.
 
 use crate::tensor::{Mat3, Vec3};
-use std::ops::{Add, AddAssign, Mul, Sub};
+use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// A vector of three components and a zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -25,6 +25,39 @@ impl Quad {
     #[inline(always)]
     pub fn vector(self) -> Vec3 {
         Vec3::new(self.0[0], self.0[1], self.0[2])
+    }
+
+    /// `self · factor + addend`, each component rounded once.
+    #[inline(always)]
+    pub fn times_plus(self, factor: f64, addend: Self) -> Self {
+        let (a, c) = (self.0, addend.0);
+        Self([
+            a[0].mul_add(factor, c[0]),
+            a[1].mul_add(factor, c[1]),
+            a[2].mul_add(factor, c[2]),
+            a[3].mul_add(factor, c[3]),
+        ])
+    }
+
+    /// Products of the components plus an addend, each rounded once.
+    #[inline(always)]
+    pub fn products_plus(self, other: Self, addend: Self) -> Self {
+        let (a, b, c) = (self.0, other.0, addend.0);
+        Self([
+            a[0].mul_add(b[0], c[0]),
+            a[1].mul_add(b[1], c[1]),
+            a[2].mul_add(b[2], c[2]),
+            a[3].mul_add(b[3], c[3]),
+        ])
+    }
+
+    /// The components one place on: `(y, z, x)`.
+    ///
+    /// With `r` for it, `a × b = r(a r(b) − r(a) b)`, products taken component by component.
+    #[inline(always)]
+    pub fn rotated(self) -> Self {
+        let a = self.0;
+        Self([a[1], a[2], a[0], a[3]])
     }
 
     /// Scalar product, summed left to right.
@@ -56,6 +89,14 @@ impl Sub for Quad {
     fn sub(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
         Self([a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]])
+    }
+}
+
+impl Neg for Quad {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|a| -a))
     }
 }
 
@@ -96,6 +137,21 @@ impl Columns {
         self.0[0] * v[0] + self.0[1] * v[1] + self.0[2] * v[2]
     }
 
+    /// `addend − M v`, each product rounded once with what it is taken from.
+    #[inline(always)]
+    pub fn taken_from(&self, addend: Quad, v: &[f64; 3]) -> Quad {
+        let last = self.0[2].times_plus(-v[2], addend);
+        self.0[0].times_plus(-v[0], self.0[1].times_plus(-v[1], last))
+    }
+
+    /// `self += u ⊗ v`, each product rounded once with what it is added to.
+    #[inline(always)]
+    pub fn gather_outer(&mut self, u: Quad, v: &[f64; 3]) {
+        self.0[0] = u.times_plus(v[0], self.0[0]);
+        self.0[1] = u.times_plus(v[1], self.0[1]);
+        self.0[2] = u.times_plus(v[2], self.0[2]);
+    }
+
     /// `self += u ⊗ v`.
     #[inline(always)]
     pub fn add_outer(&mut self, u: Quad, v: &[f64; 3]) {
@@ -122,6 +178,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn rotated_components_make_the_vector_product() {
+        let (u, v) = (Vec3::new(1.0, -2.0, 4.0), Vec3::new(0.5, 3.0, -8.0));
+        let (a, b) = (Quad::new(&u), Quad::new(&v));
+        let rotated = a.rotated().products_plus(-b, a.products_plus(b.rotated(), Quad::ZERO));
+        assert_eq!(rotated.rotated().vector(), u.cross(&v));
+    }
+
+    #[test]
     fn columns_act_as_the_matrix_they_pad() {
         let m = Mat3::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0);
         let v = Vec3::new(0.5, -2.0, 4.0);
@@ -132,5 +196,9 @@ mod tests {
         outer.add_outer(Quad::new(&v), &[1.0, 2.0, 4.0]);
         assert_eq!(outer.matrix(), v * Vec3::new(1.0, 2.0, 4.0).transpose());
         assert_eq!(Quad::new(&v).dot(Quad::new(&v)), v.norm_squared());
+        assert_eq!(Columns::new(&m).taken_from(Quad::new(&v), &[v.x, v.y, v.z]).vector(), v - m * v);
+        let mut gathered = Columns::new(&m);
+        gathered.gather_outer(Quad::new(&v), &[1.0, 2.0, 4.0]);
+        assert_eq!(gathered.matrix(), m + v * Vec3::new(1.0, 2.0, 4.0).transpose());
     }
 }

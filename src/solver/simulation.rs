@@ -16,12 +16,15 @@ use super::error::SolveError;
 use super::exact::Target;
 use super::hourglass::hourglass;
 use super::impulse::Impulses;
+use super::ledger::{Energies, Ledger};
 use super::loads::ExternalForces;
+use super::pace::Pace;
 use super::pass::{
     ForceTerms, VolumeTerms, Workspaces, forces, gradients_of_positions, maps_and_stress, wave_speeds,
 };
 use super::projection::Projection;
 use super::time_step::stable_step;
+use crate::energy::Scratch;
 use crate::plan::RELAXATION_OF_J;
 use crate::scene::{Integrator, Run, VolumeDissipation};
 use rayon::prelude::*;
@@ -40,7 +43,10 @@ pub struct Simulation {
     time: f64,
     steps: u64,
     evaluations: u64,
-    stable_step: f64,
+    pace: Pace,
+    ledger: Ledger,
+    energy: Scratch,
+    judged: bool,
     last_step: f64,
     workspaces: Workspaces,
     scratch: Vec<f64>,
@@ -68,9 +74,9 @@ impl Simulation {
         self.last_step
     }
 
-    /// Largest step the Courant condition allows now, s.
+    /// The step held, at most what the Courant condition allowed when it was last asked and 8 %, s.
     pub fn stable_step(&self) -> f64 {
-        self.stable_step
+        self.pace.step()
     }
 
     /// The bodies.
@@ -105,10 +111,15 @@ impl Simulation {
         if left <= 0.0 {
             return Ok(true);
         }
-        if self.run.wave_speed_every > 0 && self.steps.is_multiple_of(u64::from(self.run.wave_speed_every)) {
+        let every = self.run.wave_speed_every;
+        if every > 0 && (self.steps == 0 || self.pace.is_due(every)) {
             self.refresh_stable_step()?;
         }
-        let count = libm::ceil(left / self.stable_step).max(1.0);
+        let mut longest = self.pace.step();
+        if every > 0 {
+            longest = longest.min(LARGEST_STRAIN / self.straining());
+        }
+        let count = libm::ceil(left / longest).max(1.0);
         let step = left / count;
         let next = if count == 1.0 { target } else { self.time + step };
         self.advance_supports(next);
@@ -120,11 +131,45 @@ impl Simulation {
         self.time = next;
         self.steps += 1;
         self.last_step = step;
+        self.pace.moved(step * self.straining());
         if self.steps.is_multiple_of(REDERIVE) {
             self.bodies.iter_mut().for_each(gradients_of_positions);
         }
         diagnosis::not_finite(&self.bodies, &self.run, step, next).map_or(Ok(()), Err)?;
+        if Ledger::is_due(self.steps) {
+            self.judge_energy()?;
+        }
         Ok(count == 1.0)
+    }
+
+    /// Energies of the state now, of the modelled part.
+    pub fn energies(&mut self) -> Energies {
+        Energies::of(&self.bodies, &mut self.energy)
+    }
+
+    /// Works and losses since the start.
+    pub fn ledger(&self) -> &Ledger {
+        &self.ledger
+    }
+
+    /// Looks at whether energy has come from nothing.
+    ///
+    /// Not where an exact motion moves bodies, whose work nobody counts, nor with D(J): off J = det F the energy
+    /// is no bound on anything.
+    ///
+    /// # Errors
+    /// [`SolveError::EnergyFromNothing`].
+    pub fn judge_energy(&mut self) -> Result<(), SolveError> {
+        if !self.judged {
+            return Ok(());
+        }
+        let now = self.energies();
+        self.ledger.judge(&self.bodies, &now, &self.run, self.last_step, self.time)
+    }
+
+    /// Greatest `|Grad v|` of all bodies, 1/s.
+    fn straining(&self) -> f64 {
+        self.bodies.iter().map(BodyState::straining).fold(0.0, f64::max)
     }
 
     /// Brings stresses and accelerations up to the state, for whoever reads them next.
@@ -137,7 +182,7 @@ impl Simulation {
     pub fn synchronise(&mut self) -> Result<(), SolveError> {
         if self.run.integrator != Integrator::VelocityVerlet && self.steps > 0 {
             self.evaluate_external(self.time);
-            self.evaluate(0.0)?;
+            self.evaluate(0.0, 0.0)?;
             self.project_accelerations();
         }
         self.meet_velocities();
@@ -158,21 +203,23 @@ impl Simulation {
     /// Velocity Verlet: half a kick, a drift, forces, half a kick; synchronised at its end.
     fn velocity_verlet(&mut self, step: f64, next: f64) -> Result<(), SolveError> {
         self.kick(0.5 * step);
-        self.add_loads(0.5 * step);
         self.impose(step, 1.0);
+        self.add_loads(0.5 * step);
         self.drift(step);
         self.evaluate_external(next);
         self.last_step = step;
-        self.evaluate(step)?;
+        self.evaluate(step, 1.0)?;
         self.project_accelerations();
         self.kick(0.5 * step);
-        self.add_loads(0.5 * step);
         self.impose(step, 1.0);
+        self.add_loads(0.5 * step);
         Ok(())
     }
 
     /// One evaluation of the right-hand side; advances the maps by `step` first if it is positive.
-    fn evaluate(&mut self, step: f64) -> Result<(), SolveError> {
+    ///
+    /// `weight` is the share of the step that its rates count for.
+    fn evaluate(&mut self, step: f64, weight: f64) -> Result<(), SolveError> {
         self.evaluations += 1;
         for body in &mut self.bodies {
             maps_and_stress(body, step, &self.workspaces);
@@ -183,6 +230,9 @@ impl Simulation {
             let terms = self.force_terms(index);
             hourglass(&mut self.bodies[index]);
             forces(&mut self.bodies[index], terms);
+            if let Some(hourglass) = &self.bodies[index].hourglass {
+                self.ledger.dissipated += self.last_step * weight * hourglass.dissipated_power();
+            }
         }
         if self.damping > 0.0 {
             let step = self.last_step;
@@ -190,6 +240,9 @@ impl Simulation {
                 affine.ends(&self.bodies, step, &mut self.ends);
                 let BodyState { particles, v, acceleration, .. } = &mut self.bodies[index];
                 affine.damp(self.damping, &particles.position, &self.ends, v, acceleration);
+                let BodyState { particles, v, density, .. } = &self.bodies[index];
+                let power = affine.power(self.damping, particles, *density, &self.ends, v);
+                self.ledger.add_damping(power, step * weight);
             }
         }
         self.bonds.share_forces(&mut self.bodies);
@@ -255,6 +308,7 @@ impl Simulation {
                     step,
                     support,
                 );
+                self.ledger.add_support(body, support, step, weight);
                 support.impose(&mut body.v, step);
             }
         }
@@ -265,6 +319,7 @@ impl Simulation {
     fn add_loads(&mut self, step: f64) {
         for ((impulses, external), body) in self.impulses.iter_mut().zip(&self.external).zip(&self.bodies) {
             impulses.add_loads(step, body, external);
+            self.ledger.add_loads(body, step);
         }
     }
 
@@ -314,20 +369,19 @@ impl Simulation {
                 .min(self.run.cfl * body.rates.relaxation_step());
             let allowed = SMALLEST_STEP * self.run.until;
             if required.is_nan() || required < allowed {
-                let position = body.particles.position[particle];
-                let (body, time) = (body.name.clone(), self.time);
                 return Err(SolveError::TimeStepTooSmall {
                     particle,
-                    body,
-                    position,
-                    time,
+                    body: body.name.clone(),
+                    position: body.particles.position[particle],
+                    time: self.time,
                     required,
                     allowed,
+                    cause: diagnosis::cause(body, particle, &self.run, self.last_step),
                 });
             }
             stable = stable.min(required);
         }
-        self.stable_step = stable;
+        self.pace.refresh(stable, self.run.courant_limit() / self.run.cfl);
         Ok(())
     }
 }
@@ -341,6 +395,13 @@ const LOCAL: usize = 16 * CHUNK;
 /// |F − Grad_h x| was 7.9e-13 after 18 000 steps and stays near 1e-13 now. One more walk over the pairs in
 /// a thousand steps.
 const REDERIVE: u64 = 1000;
+
+/// Strain a step may bring at most.
+///
+/// Waves bound the step only if nothing moves faster than they: at an impact of three times their speed a node
+/// overtakes its neighbour within one. With a quarter, compression is met by three steps of stress before it is
+/// complete.
+const LARGEST_STRAIN: f64 = 0.25;
 
 /// Smallest step worth taking, as a share of the end time: above it, 10⁹ steps.
 const SMALLEST_STEP: f64 = 1e-9;

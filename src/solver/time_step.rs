@@ -5,10 +5,14 @@
 
 use super::body::BodyState;
 use super::dissipation::Speeds;
-use super::pass::{ForceTerms, forces, velocity_gradients_of_body};
-use super::quad::Quad;
+use super::force::internal_and_upwinding;
+use super::hourglass::dashpot_rate;
+use super::pass::ForceTerms;
+use super::quad::{Columns, Quad};
+use super::spectrum::largest;
 use crate::discretisation::Stencils;
 use crate::scene::InterfaceStates;
+use rayon::prelude::*;
 
 /// Length an elastic wave may travel in a step, m: the node spacing, or less where the stencils are
 /// stiffer than a regular lattice.
@@ -60,21 +64,22 @@ impl Rates {
     /// D(J) changes J at most as D(p) changes p, with c_p over the spacing, but whatever the states and
     /// weights of D(p) are. On an alternating J it is faster: a scalar feels every pair as p feels the
     /// pairs along it, so its rate is that of D(p) with constant states and `c_s = c_p`, about twice as much.
-    pub fn new(body: &mut BodyState, terms: ForceTerms, weight: f64) -> Self {
-        let momentum = dissipation_rate(body, terms);
+    pub fn new(body: &BodyState, terms: ForceTerms, weight: f64) -> Self {
+        let momentum = dissipation_rate(body, terms.states, terms.speeds);
         let Some(volume) = terms.volume else {
             return Self { shared: momentum, volume: 0.0 };
         };
-        let Speeds { pressure, shear } = body.rest;
         let states = match terms.states {
             InterfaceStates::Off => InterfaceStates::Constant,
             states => states,
         };
-        let whole = ForceTerms { states, speeds: Speeds { pressure, shear }, ..terms };
-        let swinging = if whole == terms { momentum } else { dissipation_rate(body, whole) };
-        let scalar = Speeds { pressure, shear: pressure };
-        let alternating =
-            dissipation_rate(body, ForceTerms { states: InterfaceStates::Constant, speeds: scalar, ..terms });
+        let swinging = if (states, body.rest) == (terms.states, terms.speeds) {
+            momentum
+        } else {
+            dissipation_rate(body, states, body.rest)
+        };
+        let scalar = Speeds { shear: body.rest.pressure, ..body.rest };
+        let alternating = dissipation_rate(body, InterfaceStates::Constant, scalar);
         Self {
             shared: momentum + weight * swinging + volume.relaxation,
             volume: weight * alternating + volume.relaxation,
@@ -88,56 +93,37 @@ impl Rates {
     }
 }
 
-/// Power iterations; the largest rates of a lattice lie close together, and any of them will do.
-const ITERATIONS: usize = 40;
-
-/// What the power iterations may fall short by.
-const MARGIN: f64 = 1.05;
-
 /// Fastest rate at which the dissipation changes a velocity field, 1/s.
 ///
 /// ```text
 /// ζ = largest eigenvalue of v ↦ −D(ρR v)/ρR         [NB25 (33)]
 /// ```
 ///
-/// by power iteration from a fixed field without symmetry. The body must be unstressed and at rest
-/// in its packets; its velocities and forces are left as they were. Limited states take the rate of linear ones,
-/// of whose dissipation they are a part.
-fn dissipation_rate(body: &mut BodyState, terms: ForceTerms) -> f64 {
-    let states = match terms.states {
-        InterfaceStates::Limited => InterfaceStates::Linear,
-        states => states,
-    };
-    let velocity = body.v.clone();
-    let acceleration = body.acceleration.clone();
-    let external = std::mem::take(&mut body.external);
-    let mut rate = 0.0;
-    for (a, v) in body.v.iter_mut().enumerate() {
-        let seed = (a as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let number =
-            |shift: u32| f64::from((seed.rotate_left(shift) >> 40) as u32) / f64::from(1_u32 << 24) - 0.5;
-        *v = Quad([number(0), number(17), number(31), 0.0]);
-    }
-    for _ in 0..ITERATIONS {
-        let scale = 1.0 / norm(&body.v);
-        body.v.iter_mut().for_each(|v| *v = *v * scale);
-        velocity_gradients_of_body(body);
-        forces(body, ForceTerms { states, volume: None, ..terms });
-        rate = norm(&body.acceleration);
-        if rate == 0.0 {
-            break;
+/// of the undeformed body.
+fn dissipation_rate(body: &BodyState, states: InterfaceStates, speeds: Speeds) -> f64 {
+    let impedance = Speeds { pressure: body.density * speeds.pressure, shear: body.density * speeds.shear };
+    match states {
+        InterfaceStates::Off => 0.0,
+        InterfaceStates::Variational => dashpot_rate(body, impedance),
+        InterfaceStates::Constant => {
+            let position: Vec<Quad> = body.particles.position.iter().map(Quad::new).collect();
+            let stress = vec![Columns::ZERO; body.len()];
+            largest(body.len(), |velocity, out| {
+                out.par_iter_mut().enumerate().for_each(|(a, out)| {
+                    let inverse = body.inverse_volume[a];
+                    *out = internal_and_upwinding(
+                        &body.links,
+                        a,
+                        &stress,
+                        &position,
+                        velocity,
+                        impedance,
+                        inverse,
+                    ) * (1.0 / body.density);
+                });
+            })
         }
-        body.v.copy_from_slice(&body.acceleration);
     }
-    body.v = velocity;
-    body.acceleration = acceleration;
-    body.external = external;
-    body.packets.fill(Default::default());
-    MARGIN * rate
-}
-
-fn norm(field: &[Quad]) -> f64 {
-    libm::sqrt(field.iter().map(|v| v.dot(*v)).sum())
 }
 
 #[cfg(test)]

@@ -93,7 +93,7 @@ fn figure(runs: &[(&'static str, &str)], order: f64) -> Figure {
 const HEUN_DAMPED: &str = "integrator = tvd_rk2  formulation = pFHJ";
 const RK3_DAMPED: &str = "integrator = ssp_rk3  formulation = pFHJ";
 const VERLET_FREE: &str = "momentum_dissipation = off  formulation = pFHJ";
-const VERLET_DAMPED: &str = "momentum_dissipation = linear  formulation = pFHJ";
+const VERLET_DAMPED: &str = "momentum_dissipation = variational  formulation = pFHJ";
 
 /// End of the runs, s.
 const UNTIL: f64 = 8e-3;

@@ -29,14 +29,14 @@ pub(super) fn defaults(scheme: Scheme, place: Place, until: f64) -> Run {
         kernel: Kernel::WendlandC2,
         smoothing: 1.01,
         consistency: if seed { Consistency::Kernel } else { Consistency::Integration },
-        momentum_dissipation: if seed { InterfaceStates::Constant } else { InterfaceStates::Linear },
+        momentum_dissipation: if seed { InterfaceStates::Constant } else { InterfaceStates::Variational },
         pressure_wave_weight: 1.0,
         shear_wave_weight: 1.0,
-        hourglass_stiffness: 0.0,
+        hourglass_stiffness: if seed { 0.0 } else { 1.0 },
         volume_dissipation: if seed { VolumeDissipation::On } else { VolumeDissipation::Off },
         volume_wave_weight: 1.0,
         angular_momentum: AngularMomentum::Free,
-        wave_speed_every: if seed { 0 } else { 10 },
+        wave_speed_every: if seed { 0 } else { 100 },
         written: Vec::new(),
         set: Vec::new(),
     }
@@ -138,7 +138,7 @@ impl Reader<'_, '_, '_> {
         }
         match self.choice("integrator") {
             Some("tvd_rk2") => (run.integrator, run.cfl) = (Integrator::TvdRk2, 0.3),
-            Some("ssp_rk3") => (run.integrator, run.cfl) = (Integrator::SspRk3, 0.9),
+            Some("ssp_rk3") => (run.integrator, run.cfl) = (Integrator::SspRk3, 0.8),
             Some("velocity_verlet") => (run.integrator, run.cfl) = (Integrator::VelocityVerlet, 0.9),
             _ => {}
         }
@@ -169,8 +169,7 @@ impl Reader<'_, '_, '_> {
         match self.choice("momentum_dissipation") {
             Some("off") => run.momentum_dissipation = InterfaceStates::Off,
             Some("constant") => run.momentum_dissipation = InterfaceStates::Constant,
-            Some("linear") => run.momentum_dissipation = InterfaceStates::Linear,
-            Some("limited") => run.momentum_dissipation = InterfaceStates::Limited,
+            Some("variational") => run.momentum_dissipation = InterfaceStates::Variational,
             _ => {}
         }
         let weight = (0.0, 100.0);

@@ -59,7 +59,7 @@ impl Simulation {
         for (index, stage) in stages.iter().enumerate() {
             self.impose(step, stage.weight);
             self.evaluate_external(self.time + stage.at * step);
-            self.evaluate(0.0)?;
+            self.evaluate(0.0, stage.weight)?;
             self.add_loads(stage.weight * step);
             let last = index + 1 == stages.len();
             for (projection, body) in self.projection.iter_mut().zip(&mut self.bodies) {

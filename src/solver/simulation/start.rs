@@ -3,13 +3,16 @@
 //! Owns the order in which a scene becomes a running simulation. Knows neither text, units nor files.
 
 use super::Simulation;
+use crate::energy::Scratch;
 use crate::plan::{Pass, Plan, damping_rate};
-use crate::scene::{InterfaceStates, Scene};
+use crate::scene::{InterfaceStates, Scene, VolumeDissipation};
 use crate::solver::affine::affine_motions;
 use crate::solver::assemble::{Assembled, assemble, discretise};
 use crate::solver::bond::Bonds;
 use crate::solver::error::SolveError;
 use crate::solver::impulse::Impulses;
+use crate::solver::ledger::Ledger;
+use crate::solver::pace::Pace;
 use crate::solver::pass::Workspaces;
 use crate::solver::projection::Projection;
 use crate::solver::time_step::Rates;
@@ -33,7 +36,10 @@ impl Simulation {
             time: 0.0,
             steps: 0,
             evaluations: 0,
-            stable_step: 0.0,
+            pace: Pace::new(),
+            ledger: Ledger::default(),
+            energy: Scratch::default(),
+            judged: scene.motion.is_none() && scene.run.volume_dissipation == VolumeDissipation::Off,
             last_step: 0.0,
             workspaces: Workspaces::new(),
             scratch: Vec::new(),
@@ -63,24 +69,25 @@ impl Simulation {
             body.rates = Rates::new(body, terms, weight);
         }
         simulation.refresh_stable_step()?;
-        simulation.prepare_supports(simulation.stable_step);
+        simulation.prepare_supports(simulation.pace.step());
         if simulation.damping > 0.0 {
             for (index, affine) in simulation.affine.iter().enumerate() {
                 // the scene's own start velocities stand, and bonded bodies start as one
                 if simulation.bodies.iter().any(|body| body.launch_speed > 0.0) {
                     continue;
                 }
-                affine.ends(&simulation.bodies, simulation.stable_step, &mut simulation.ends);
+                affine.ends(&simulation.bodies, simulation.pace.step(), &mut simulation.ends);
                 let body = &mut simulation.bodies[index];
                 affine.start(&body.particles.position, &simulation.ends, &mut body.v);
             }
         }
-        simulation.last_step = simulation.stable_step;
-        simulation.impose(simulation.stable_step, 0.0);
+        simulation.last_step = simulation.pace.step();
+        simulation.impose(simulation.pace.step(), 0.0);
         simulation.meet_velocities();
-        simulation.evaluate(0.0)?;
+        simulation.evaluate(0.0, 0.0)?;
         simulation.project_accelerations();
         simulation.rewind_supports();
+        simulation.ledger = Ledger::new(simulation.energies());
         Ok(simulation)
     }
 
