@@ -237,6 +237,10 @@ fn a_scheme_fills_in_what_is_not_written() {
         (run("integrator = ssp_rk3").integrator, run("integrator = ssp_rk3").cfl),
         (Integrator::SspRk3, 0.8)
     );
+    assert_eq!(run("boundary_gradients = centroid").consistency, Consistency::Centroid);
+    assert_eq!(run("boundary_gradients = one_sided").consistency, Consistency::Integration);
+    let consistent = run("scheme = seed  integration_consistency = on  boundary_gradients = centroid");
+    assert_eq!(consistent.consistency, Consistency::Centroid);
     assert_eq!(
         (seed.angular_momentum, improved.angular_momentum),
         (AngularMomentum::Free, AngularMomentum::Free)

@@ -4,6 +4,7 @@
 //! nor momentum nor time.
 
 mod balance;
+mod centroid;
 mod coarse;
 mod columns;
 mod conform;

@@ -3,6 +3,7 @@
 //! Owns the compressed rows the solver loops over and how they are put together. Knows no field but
 //! positions and volumes.
 
+use super::centroid;
 use super::correction;
 use super::error::DiscretisationError;
 use super::integration;
@@ -20,6 +21,9 @@ pub enum Consistency {
     Kernel,
     /// `Σ_b V_b G_a(X_b) = A_a N_a` as well, the integration constraint.
     Integration,
+    /// The integration constraint, on rows that see second-degree fields half-way to the centroid of the node's hat:
+    /// `Σ_b V_a G_b(X_a) q(X_b − X_a) = V_a Grad q(½c_a)` before it.
+    Centroid,
     /// The integration constraint and exactness for quadratic fields.
     Quadratic,
 }
@@ -109,10 +113,16 @@ impl Stencils {
             Consistency::Integration => {
                 integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?
             }
+            Consistency::Centroid => {
+                centroid::impose(particles, kernel, h, &list, &mut forward)?;
+                integration::impose(particles, kernel, h, &list, &reverse, &mut forward)?
+            }
             Consistency::Quadratic => quadratic::impose(particles, kernel, h, &list, &reverse, &mut forward)?,
         }
         let interface = match consistency {
-            Consistency::Integration => interface(position, &list, &reverse, &forward),
+            Consistency::Integration | Consistency::Centroid => {
+                interface(position, &list, &reverse, &forward)
+            }
             Consistency::Kernel | Consistency::Quadratic => plain,
         };
         let backward = reverse.iter().map(|&entry| forward[entry as usize]).collect();
@@ -212,7 +222,7 @@ mod tests {
 
     #[test]
     fn backward_is_forward_of_the_reversed_pair_to_the_last_bit() {
-        for consistency in [Consistency::Kernel, Consistency::Integration] {
+        for consistency in [Consistency::Kernel, Consistency::Integration, Consistency::Centroid] {
             let stencils = Stencils::build(&block(0.2), Kernel::CubicSpline, 1.2, consistency).unwrap();
             for a in 0..stencils.len() {
                 let row = stencils.row(a);
@@ -228,10 +238,12 @@ mod tests {
 
     #[test]
     fn the_number_of_threads_changes_no_bit() {
-        let build = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| Stencils::build(&block(0.2), Kernel::WendlandC2, 1.2, Consistency::Integration))
-        };
-        assert_eq!(build(1).unwrap(), build(3).unwrap());
+        for consistency in [Consistency::Integration, Consistency::Centroid] {
+            let build = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| Stencils::build(&block(0.2), Kernel::WendlandC2, 1.2, consistency))
+            };
+            assert_eq!(build(1).unwrap(), build(3).unwrap());
+        }
     }
 }

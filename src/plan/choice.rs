@@ -80,6 +80,10 @@ pub fn choices(scene: &Scene, formulation: Formulation) -> Vec<Choice> {
     add("smoothing", run.smoothing.to_string());
     add("integration_consistency", on_off(run.consistency != Consistency::Kernel));
     add("completeness", if quadratic { "quadratic" } else { "linear" }.into());
+    if !quadratic {
+        let centroid = run.consistency == Consistency::Centroid;
+        add("boundary_gradients", if centroid { "centroid" } else { "one_sided" }.into());
+    }
     add(
         "momentum_dissipation",
         match run.momentum_dissipation {

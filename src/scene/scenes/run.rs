@@ -157,11 +157,33 @@ impl Reader<'_, '_, '_> {
         }
         if self.choice("completeness") == Some("quadratic") {
             match run.consistency {
-                Consistency::Kernel => self.refuse_completeness(),
+                Consistency::Kernel => self.refuse(
+                    "completeness",
+                    "`completeness = quadratic` corrects the gradients that `integration_consistency = on` makes, \
+                     which is off",
+                    "write `integration_consistency = on` or `completeness = linear`",
+                ),
                 _ => {
                     run.consistency = Consistency::Quadratic;
                     run.smoothing = QUADRATIC_REACH / run.kernel.support();
                 }
+            }
+        }
+        if self.choice("boundary_gradients") == Some("centroid") {
+            match run.consistency {
+                Consistency::Kernel => self.refuse(
+                    "boundary_gradients",
+                    "`boundary_gradients = centroid` wants boundary areas in balance, but \
+                     `integration_consistency` is off",
+                    "write `integration_consistency = on` or `boundary_gradients = one_sided`",
+                ),
+                Consistency::Quadratic => self.refuse(
+                    "boundary_gradients",
+                    "`boundary_gradients = centroid` is a choice among linear gradients, but \
+                     `completeness` is quadratic",
+                    "write `completeness = linear`, or leave `boundary_gradients` out",
+                ),
+                Consistency::Integration | Consistency::Centroid => run.consistency = Consistency::Centroid,
             }
         }
         run.smoothing =
@@ -194,11 +216,9 @@ impl Reader<'_, '_, '_> {
         run.wave_speed_every = self.count("wave_speed_every").unwrap_or(run.wave_speed_every);
     }
 
-    fn refuse_completeness(&mut self) {
-        let Some(site) = self.site("completeness") else { return };
-        let message = "`completeness = quadratic` corrects the gradients that `integration_consistency = on` makes, \
-                       which is off";
-        let help = "write `integration_consistency = on` or `completeness = linear`";
+    /// Refuses a key that contradicts another.
+    fn refuse(&mut self, key: &str, message: &str, help: &str) {
+        let Some(site) = self.site(key) else { return };
         let span = site.file.span(site.id);
         self.stage.mistakes.report(&site.file, Code::Conflict, span, message, "", Some(help.into()));
         self.sound = false;
