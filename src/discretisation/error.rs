@@ -71,6 +71,14 @@ pub enum DiscretisationError {
         /// The spacing, m.
         spacing: f64,
     },
+    /// Two nodes of a cross-section fall on one place: what is left of the body between two faces is thinner than the
+    /// lattice can follow.
+    NodesMeet {
+        /// Reference position of the place, m.
+        position: Vec3,
+        /// The spacing, m.
+        spacing: f64,
+    },
     /// Points without cells cannot be integrated consistently: they have no boundary areas.
     NoAreas,
     /// A union or difference that is not extruded from one plane region.
@@ -189,6 +197,12 @@ impl fmt::Display for DiscretisationError {
                 f,
                 "no particle lies in the shape: what is taken away leaves nothing, or nothing thicker than half of the \
                  spacing, {spacing:.4e} m"
+            ),
+            Self::NodesMeet { position: x, spacing } => write!(
+                f,
+                "two nodes fall on X = ({:.4e}, {:.4e}, {:.4e}) m, where two faces leave too little of the body between \
+                 them for a spacing of {spacing:.4e} m; a finer spacing is required",
+                x.x, x.y, x.z
             ),
             Self::NoAreas => write!(
                 f,
