@@ -189,6 +189,11 @@ impl BodyState {
         self.hourglass.as_ref().map_or(packet, |hourglass| &hourglass.constitutive[particle]).matrix()
     }
 
+    /// The first support that prescribes a component of a particle, by its number.
+    pub fn support_of(&self, particle: usize, axis: usize) -> Option<usize> {
+        self.supports.iter().position(|s| s.axis == axis && s.nodes.binary_search(&(particle as u32)).is_ok())
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.x.len()

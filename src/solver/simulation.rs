@@ -258,7 +258,10 @@ impl Simulation {
                 support.impose(&mut body.v, step);
             }
         }
-        self.bonds.follow(&mut self.bodies);
+        let Self { bonds, bodies, impulses, .. } = self;
+        bonds.follow(bodies, &mut |body, support, momentum| {
+            impulses[body].add_carried(support, weight * momentum);
+        });
     }
 
     /// Counts the loads of the last evaluation over a time `step`.
