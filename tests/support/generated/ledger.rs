@@ -4,7 +4,7 @@
 
 use tissue::monitor::totals;
 use tissue::plan::damping_rate;
-use tissue::scene::{Integrator, Prescribed, Scene};
+use tissue::scene::{Integrator, Prescribed, Scene, VolumeDissipation};
 use tissue::solver::{BodyState, Simulation};
 use tissue::tensor::Vec3;
 
@@ -88,14 +88,16 @@ impl<'a> Ledger<'a> {
         }
     }
 
-    /// Whether the work of all that acts can be told from outside: not where a bonded node may be moved.
+    /// Whether the accounts hold: the work of all that acts can be told from outside, which it cannot where a bonded node
+    /// may be moved, and no D(J) changes volumes, and with them the strain energy, by itself.
     pub fn is_complete(scene: &Scene) -> bool {
         // a constant displacement other than zero is a jump, which set-up refuses
         let varies =
             |one: &Prescribed| one.displacement.iter().flatten().any(|tape| tape.leaves().next().is_some());
         let moves = scene.prescribed.iter().any(varies);
         let verlet = scene.run.integrator == Integrator::VelocityVerlet;
-        !moves || (verlet && scene.bonds.is_empty())
+        let evolves_alone = scene.run.volume_dissipation != VolumeDissipation::Off;
+        !evolves_alone && (!moves || (verlet && scene.bonds.is_empty()))
     }
 
     /// Enters a step and judges the state before it, whose work is known only now.

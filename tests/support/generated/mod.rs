@@ -93,9 +93,9 @@ pub fn scenes(kind: Kind, dissipations: runs::Dissipations) -> impl Strategy<Val
         )
 }
 
-/// A number in four digits, as short as it can be written.
+/// A number in eight digits, as short as it can be written: bodies that touch do so to a millionth of a spacing.
 pub fn number(x: f64) -> String {
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    let rounded: f64 = format!("{x:.7e}").parse().unwrap_or(x);
     format!("{rounded:?}")
 }
 

@@ -8,6 +8,7 @@ use super::states::{admissible, gradients, initial_gap, sound};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::OnceLock;
+use tissue::discretisation::DiscretisationError;
 use tissue::monitor::Observer;
 use tissue::plan::Plan;
 use tissue::scene::{FileSystem, Mistake, Scene, resolve};
@@ -38,13 +39,13 @@ pub struct Fault {
 
 /// How closely to look.
 #[derive(Clone, Copy)]
-pub struct Watch {
+pub struct Watch<'a> {
     /// Most steps taken.
     pub steps: u64,
     /// Whether everything at work is far below what the material bears, so that no run may stop.
     pub calm: bool,
-    /// Overrides, as of `--set`.
-    pub set: Option<(&'static str, &'static str)>,
+    /// An override, as of `--set`: what a message advised.
+    pub set: Option<(&'static str, &'a str)>,
     /// What a control makes the properties blind to.
     pub blind: Option<Blind>,
 }
@@ -62,7 +63,7 @@ pub enum Blind {
     Gradient,
 }
 
-impl Watch {
+impl Watch<'_> {
     /// So many steps of a scene.
     pub fn new(steps: u64, calm: bool) -> Self {
         Self { steps, calm, set: None, blind: None }
@@ -78,7 +79,7 @@ pub fn fault(kind: &'static str, found: impl Into<String>) -> Fault {
 ///
 /// # Errors
 /// The first property that does not hold.
-pub fn watch(path: &Path, look: Watch) -> Result<Outcome, Fault> {
+pub fn watch(path: &Path, look: Watch<'_>) -> Result<Outcome, Fault> {
     let watched = catch_unwind(AssertUnwindSafe(|| pool(1).install(|| watch_scene(path, look))));
     watched.unwrap_or_else(|cause| {
         let text = cause.downcast_ref::<String>().cloned();
@@ -95,7 +96,7 @@ fn pool(threads: usize) -> &'static rayon::ThreadPool {
     if threads == 1 { ONE.get_or_init(pool) } else { THREE.get_or_init(pool) }
 }
 
-fn watch_scene(path: &Path, look: Watch) -> Result<Outcome, Fault> {
+fn watch_scene(path: &Path, look: Watch<'_>) -> Result<Outcome, Fault> {
     let text = std::fs::read_to_string(path).map_err(|cause| fault("file", cause.to_string()))?;
     let name = path.display().to_string();
     let set: Vec<(String, String)> =
@@ -109,7 +110,7 @@ fn watch_scene(path: &Path, look: Watch) -> Result<Outcome, Fault> {
     let plan = Plan::new(&scene);
     let mut simulation = match Simulation::new(&scene, &plan) {
         Ok(simulation) => simulation,
-        Err(cause) => return refused(&cause),
+        Err(cause) => return refused(path, look, &scene, &cause),
     };
     let tapes = |scene: &Scene| -> Vec<_> {
         scene
@@ -180,24 +181,68 @@ fn watch_scene(path: &Path, look: Watch) -> Result<Outcome, Fault> {
     Ok(Outcome::Ran(simulation.steps(), share))
 }
 
-/// What a refusal must tell: which body, material or word.
-fn refused(cause: &SolveError) -> Result<Outcome, Fault> {
+/// A refusal tells which body, material or word it is about, and one of the things it advises helps.
+fn refused(path: &Path, look: Watch<'_>, scene: &Scene, cause: &SolveError) -> Result<Outcome, Fault> {
     let text = cause.to_string();
-    match cause {
-        SolveError::Discretisation { .. }
-        | SolveError::Energy { .. }
+    let advised: Vec<(&'static str, String)> = match cause {
+        SolveError::Discretisation { body, cause } => {
+            let spacing =
+                scene.bodies.iter().find(|known| known.name == *body).map_or(0.0, |body| body.spacing);
+            let key = if body == "b" { ["b.spacing", "b.jitter"] } else { ["a.spacing", "a.jitter"] };
+            let finer = |share: f64| (key[0], format!("{:e} m", share * spacing));
+            match cause {
+                DiscretisationError::UnevenSpacing { suggestion, .. } => {
+                    vec![(key[0], format!("{suggestion:e} m"))]
+                }
+                DiscretisationError::ConstraintNotMet { .. } => {
+                    vec![("run.smoothing", "1.2".into()), (key[1], "0".into())]
+                }
+                DiscretisationError::InvertedCell { .. } => {
+                    vec![(key[1], "0".into()), finer(0.5), finer(0.25)]
+                }
+                DiscretisationError::SingularQuadratics { .. } => {
+                    vec![("run.completeness", "linear".into()), finer(0.5)]
+                }
+                DiscretisationError::SingularMoments { .. } | DiscretisationError::NodesMeet { .. } => {
+                    vec![finer(0.7), finer(0.5), ("run.smoothing", "1.5".into())]
+                }
+                _ => Vec::new(),
+            }
+        }
+        SolveError::Energy { .. }
         | SolveError::DirectionNotUnit { .. }
         | SolveError::Unsupported { .. }
         | SolveError::Jump { .. }
         | SolveError::NotSymmetric { .. }
         | SolveError::NotBonded { .. }
-        | SolveError::BondedApart { .. } => Ok(Outcome::Refused(text)),
-        _ => Err(fault("set-up", text)),
+        | SolveError::BondedApart { .. } => Vec::new(),
+        _ => return Err(fault("set-up", text)),
+    };
+    let helps = |(key, value): &(&'static str, String)| {
+        let tried = watch_scene(path, Watch { set: Some((key, value.as_str())), steps: 1, ..look });
+        // something else may be in the way next
+        !matches!(&tried, Ok(Outcome::Refused(again)) if class(again) == class(&text))
+    };
+    if look.set.is_none() && !advised.is_empty() && !advised.iter().any(helps) {
+        return Err(fault("advice", format!("{text}; tried {advised:?}")));
     }
+    Ok(Outcome::Refused(text))
+}
+
+/// The class of a message: its words without numbers.
+pub fn class(text: &str) -> String {
+    let number = |word: &str| word.contains(|c: char| c.is_ascii_digit());
+    let words = text.split_whitespace().map(|word| if number(word) { "#" } else { word });
+    words.take(24).collect::<Vec<_>>().join(" ")
 }
 
 /// A stop must name a cause; where nothing is near what the material bears there is none.
-fn stopped(path: &Path, look: Watch, simulation: &Simulation, cause: &SolveError) -> Result<Outcome, Fault> {
+fn stopped(
+    path: &Path,
+    look: Watch<'_>,
+    simulation: &Simulation,
+    cause: &SolveError,
+) -> Result<Outcome, Fault> {
     let text = cause.to_string();
     if look.calm {
         return Err(fault("stop", text));
