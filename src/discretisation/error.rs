@@ -158,6 +158,8 @@ pub enum DiscretisationError {
         leftover: f64,
         /// Iterations spent.
         iterations: usize,
+        /// Whether the gradients were to be exact for quadratic fields.
+        quadratic: bool,
     },
 }
 
@@ -266,12 +268,17 @@ impl fmt::Display for DiscretisationError {
                  body, so write a finer spacing, a greater smoothing or `completeness = linear`",
                 x.x, x.y, x.z
             ),
-            Self::ConstraintNotMet { particle, position: x, leftover, iterations } => write!(
+            Self::ConstraintNotMet { particle, position: x, leftover, iterations, quadratic } => write!(
                 f,
                 "integration consistency is missed by {leftover:.2e} dx^2 at particle {particle}, X = ({:.4e}, \
-                 {:.4e}, {:.4e}) m, after {iterations} iterations: its neighbours hardly tell fields apart; a smoothing \
-                 of 1.2 or less jitter is required",
-                x.x, x.y, x.z
+                 {:.4e}, {:.4e}) m, after {iterations} iterations: its neighbours hardly tell fields apart; {} is required",
+                x.x,
+                x.y,
+                x.z,
+                match quadratic {
+                    true => "`completeness = linear`, a finer spacing or less jitter",
+                    false => "a smoothing of 1.2, a finer spacing or less jitter",
+                }
             ),
         }
     }

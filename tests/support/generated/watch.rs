@@ -194,8 +194,10 @@ fn refused(path: &Path, look: Watch<'_>, scene: &Scene, cause: &SolveError) -> R
                 DiscretisationError::UnevenSpacing { suggestion, .. } => {
                     vec![(key[0], format!("{suggestion:e} m"))]
                 }
-                DiscretisationError::ConstraintNotMet { .. } => {
-                    vec![("run.smoothing", "1.2".into()), (key[1], "0".into())]
+                DiscretisationError::ConstraintNotMet { quadratic, .. } => {
+                    let first =
+                        if *quadratic { ("run.completeness", "linear") } else { ("run.smoothing", "1.2") };
+                    vec![(first.0, first.1.into()), finer(0.5), (key[1], "0".into())]
                 }
                 DiscretisationError::InvertedCell { .. } => {
                     vec![(key[1], "0".into()), finer(0.5), finer(0.25)]
