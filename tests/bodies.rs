@@ -3,7 +3,7 @@
 #[path = "support/layers.rs"]
 mod layers;
 
-use tissue::monitor::Observer;
+use tissue::monitor::{Observer, totals};
 use tissue::plan::{Pass, Plan};
 use tissue::run::{Job, execute};
 use tissue::scene::Scene;
@@ -77,6 +77,35 @@ fn supports_of_one_body_carry_the_forces_of_the_other() {
     let frame = std::fs::read_to_string(folder.join("fields_0001.vtu")).expect("the frame is written");
     assert!(frame.contains("Name=\"body\""), "particles of several bodies are told apart");
     std::fs::remove_dir_all(&folder).expect("the folder can be removed");
+}
+
+/// A support that pulls an edge of one body pulls what is bonded to it, on shared nodes and on hanging ones.
+#[test]
+fn the_impulse_of_a_support_is_all_it_gives_to_bonded_bodies() {
+    let spacings = [("1 mm", "pull inner.xmin"), ("1 mm", "pull outer.xmin"), ("0.5 mm", "pull inner.xmin")];
+    for (spacing, pull) in spacings {
+        let pulled = scene(&format!(
+            "{INNER}\n{}\nbond inner.zmax {{ to = outer.zmin }}
+             {pull} {{ displacement = ramp(0 mm -> 0.1 mm, over = 20 ms)  grip = rigid }}
+             record given {{ a = impulse(inner).x  b = impulse(outer).x  every = 1 ms }}
+             run {{ until = 20 ms }}",
+            outer("4 mm, 3 mm, 2 mm", spacing)
+        ));
+        let mut simulation = Simulation::new(&pulled, &Plan::new(&pulled)).expect("the scene can be set up");
+        let tapes = || pulled.records[0].columns.iter().map(|column| &column.value);
+        let observer = Observer::new(&pulled, simulation.bodies(), tapes()).expect("the probes exist");
+        let momentum = |simulation: &Simulation| totals(simulation.bodies(), &pulled.symmetry).momentum.x;
+        // the velocity of the first step, which the supports start with
+        let start = momentum(&simulation);
+        while simulation.steps() < 100 {
+            simulation.step_towards(pulled.run.until).expect("the scene runs");
+        }
+        let given: f64 = observer.evaluate(&simulation, tapes()).iter().sum();
+        let momentum = momentum(&simulation) - start;
+        assert!(momentum < 0.0, "{pull}: it has begun to move outwards");
+        // two imposed velocities a step, each a sum over some 40 nodes: 8000 roundings of terms below the whole
+        assert!((given / momentum - 1.0).abs() < 1e-12, "{spacing} {pull}: {given} for {momentum}");
+    }
 }
 
 #[test]

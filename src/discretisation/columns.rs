@@ -102,6 +102,10 @@ impl<'a, const K: usize> Columns<'a, K> {
 }
 
 impl<const K: usize> integration::Columns for Columns<'_, K> {
+    fn is_quadratic(&self) -> bool {
+        true
+    }
+
     fn correct(&self, field: &[Vec3], forward: &mut [Vec3]) {
         for (a, fit) in self.fits(field).iter().enumerate() {
             self.rows.add(a, forward, |entry, p| self.seen(field, a, entry, p) - fit * p);

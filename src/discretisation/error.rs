@@ -71,6 +71,14 @@ pub enum DiscretisationError {
         /// The spacing, m.
         spacing: f64,
     },
+    /// Two nodes of a cross-section fall on one place: what is left of the body between two faces is thinner than the
+    /// lattice can follow.
+    NodesMeet {
+        /// Reference position of the place, m.
+        position: Vec3,
+        /// The spacing, m.
+        spacing: f64,
+    },
     /// Points without cells cannot be integrated consistently: they have no boundary areas.
     NoAreas,
     /// A union or difference that is not extruded from one plane region.
@@ -150,6 +158,8 @@ pub enum DiscretisationError {
         leftover: f64,
         /// Iterations spent.
         iterations: usize,
+        /// Whether the gradients were to be exact for quadratic fields.
+        quadratic: bool,
     },
 }
 
@@ -189,6 +199,12 @@ impl fmt::Display for DiscretisationError {
                 f,
                 "no particle lies in the shape: what is taken away leaves nothing, or nothing thicker than half of the \
                  spacing, {spacing:.4e} m"
+            ),
+            Self::NodesMeet { position: x, spacing } => write!(
+                f,
+                "two nodes fall on X = ({:.4e}, {:.4e}, {:.4e}) m, where two faces leave too little of the body between \
+                 them for a spacing of {spacing:.4e} m; a finer spacing is required",
+                x.x, x.y, x.z
             ),
             Self::NoAreas => write!(
                 f,
@@ -252,12 +268,17 @@ impl fmt::Display for DiscretisationError {
                  body, so write a finer spacing, a greater smoothing or `completeness = linear`",
                 x.x, x.y, x.z
             ),
-            Self::ConstraintNotMet { particle, position: x, leftover, iterations } => write!(
+            Self::ConstraintNotMet { particle, position: x, leftover, iterations, quadratic } => write!(
                 f,
                 "integration consistency is missed by {leftover:.2e} dx^2 at particle {particle}, X = ({:.4e}, \
-                 {:.4e}, {:.4e}) m, after {iterations} iterations: its neighbours hardly tell fields apart; a smoothing \
-                 of 1.2 or less jitter is required",
-                x.x, x.y, x.z
+                 {:.4e}, {:.4e}) m, after {iterations} iterations: its neighbours hardly tell fields apart; {} is required",
+                x.x,
+                x.y,
+                x.z,
+                match quadratic {
+                    true => "`completeness = linear`, a finer spacing or less jitter",
+                    false => "a smoothing of 1.2, a finer spacing or less jitter",
+                }
             ),
         }
     }

@@ -203,6 +203,20 @@ impl Planar {
         }
     }
 
+    /// The first place, by the first coordinate, where two nodes are less than `least` m apart.
+    ///
+    /// Boundary nodes go to the nearest point of the boundary each by itself: where lattice cells fill what two faces
+    /// leave between them and are not a part of it, nodes of both sides go to one point.
+    pub fn meeting(&self, least: f64) -> Option<Vec2> {
+        let mut order: Vec<&Vec2> = self.node.iter().collect();
+        order.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+        let near = |(a, p): (usize, &&Vec2)| {
+            let ahead = order[a + 1..].iter().take_while(|q| q.x - p.x < least);
+            ahead.into_iter().any(|q| (**q - **p).norm() < least)
+        };
+        order.iter().enumerate().find(|(a, p)| near((*a, p))).map(|(_, p)| **p)
+    }
+
     /// Length of the shortest edge at each node, m.
     pub fn shortest_edges(&self) -> Vec<f64> {
         let mut shortest = vec![f64::INFINITY; self.node.len()];

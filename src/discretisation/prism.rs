@@ -19,6 +19,10 @@ const EVENNESS: f64 = 1.05;
 /// The same where boundaries are curved; beside those the spacings vary by more than that anyway.
 const EVENNESS_CURVED: f64 = 1.25;
 
+/// Least distance of two nodes of a section in spacings; nearer ones would make the time step a thousand times shorter,
+/// and none has a direction to a node it lies on.
+const APART: f64 = 1e-3;
+
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 
 /// A body extruded along an axis.
@@ -65,6 +69,12 @@ impl Prism {
         let [layers, u, v] = std::array::from_fn(|k| axes[k].lines(count[k]));
         let cut = self.axes().map(|axis| symmetry[axis].is_some());
         let section = Planar::of(&self.outline, &[u, v], [cut[1], cut[2]], greatest);
+        if let Some(place) = section.meeting(APART * greatest) {
+            let mut position = Vec3::zeros();
+            let [length, u, v] = self.axes();
+            (position[length], position[u], position[v]) = (layers[0], place.x, place.y);
+            return Err(DiscretisationError::NodesMeet { position, spacing });
+        }
         // beside curved boundaries nodes are closer together and have less room
         let shift = section.shortest_edges().iter().map(|edge| jitter * edge.min(greatest)).collect();
         Extrusion { prism: self, section, layers, cut, shift }.particles(greatest)

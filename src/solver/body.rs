@@ -196,6 +196,11 @@ impl BodyState {
         libm::sqrt(self.blocks.iter().map(|block| block.straining).fold(0.0, f64::max))
     }
 
+    /// The first support that prescribes a component of a particle, by its number.
+    pub fn support_of(&self, particle: usize, axis: usize) -> Option<usize> {
+        self.supports.iter().position(|s| s.axis == axis && s.nodes.binary_search(&(particle as u32)).is_ok())
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.x.len()

@@ -142,15 +142,24 @@ impl Bonds {
     }
 
     /// Gives members the prescribed velocity of the one that leads them.
-    pub fn follow(&self, bodies: &mut [BodyState]) {
-        self.ties.iter().for_each(|tie| tie.follow(bodies));
+    ///
+    /// What this changes of a member's momentum comes through the support that leads: `carried` is told the body and the
+    /// number of that support, and the change, kg m/s.
+    pub fn follow(&self, bodies: &mut [BodyState], carried: &mut impl FnMut(usize, usize, f64)) {
+        self.ties.iter().for_each(|tie| tie.follow(bodies, carried));
         for Cluster { member, led, .. } in &self.clusters {
             for (axis, led) in led.iter().enumerate() {
                 let Some(&leader) = led.first() else { continue };
                 let (body, a) = member[leader];
                 let velocity = bodies[body].v[a].0[axis];
-                for &(body, a) in member {
-                    bodies[body].v[a].0[axis] = velocity;
+                let support = bodies[body].support_of(a, axis);
+                for (i, &(own, b)) in member.iter().enumerate() {
+                    let BodyState { density, particles, v, .. } = &mut bodies[own];
+                    if let (Some(support), false) = (support, led.contains(&i)) {
+                        let change = velocity - v[b].0[axis];
+                        carried(body, support, *density * particles.volume[b] * change);
+                    }
+                    v[b].0[axis] = velocity;
                 }
             }
         }

@@ -73,6 +73,13 @@ impl Impulses {
         self.reactions[index].2 += weight * density * change;
     }
 
+    /// Adds what support number `index` changed of the momentum of nodes bonded to its own, kg m/s.
+    pub fn add_carried(&mut self, index: usize, momentum: f64) {
+        if self.live {
+            self.reactions[index].2 += momentum;
+        }
+    }
+
     /// Adds the loads of the last evaluation over a time `step`, s.
     pub fn add_loads(&mut self, step: f64, body: &BodyState, external: &ExternalForces) {
         if self.live {

@@ -312,7 +312,10 @@ impl Simulation {
                 support.impose(&mut body.v, step);
             }
         }
-        self.bonds.follow(&mut self.bodies);
+        let Self { bonds, bodies, impulses, .. } = self;
+        bonds.follow(bodies, &mut |body, support, momentum| {
+            impulses[body].add_carried(support, weight * momentum);
+        });
     }
 
     /// Counts the loads of the last evaluation over a time `step`.
@@ -365,8 +368,11 @@ impl Simulation {
             }
             let (speed, particle) = body.fastest;
             let rate = body.rates.shared + self.damping;
-            let required = stable_step(self.run.cfl, body.elastic_length, speed, body.hourglass_rate, rate)
-                .min(self.run.cfl * body.rates.relaxation_step());
+            let elastic = stable_step(self.run.cfl, body.elastic_length, speed, body.hourglass_rate, rate);
+            let relaxed = self.run.cfl * body.rates.relaxation_step();
+            // `f64::min` alone would drop a NaN
+            let is_number = !elastic.is_nan() && !relaxed.is_nan();
+            let required = if is_number { elastic.min(relaxed) } else { f64::NAN };
             let allowed = SMALLEST_STEP * self.run.until;
             if required.is_nan() || required < allowed {
                 return Err(SolveError::TimeStepTooSmall {

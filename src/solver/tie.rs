@@ -156,11 +156,26 @@ impl Tie {
     }
 
     /// Gives hanging nodes the velocity of those they hang on.
-    pub fn follow(&self, bodies: &mut [BodyState]) {
+    ///
+    /// What this changes of their momentum comes through the supports of those, by their weights; `carried` as in
+    /// [`Bonds::follow`](super::bond::Bonds::follow).
+    pub fn follow(&self, bodies: &mut [BodyState], carried: &mut impl FnMut(usize, usize, f64)) {
         for row in &self.row {
             let velocity = self.hanging(row, &bodies[self.master].v);
-            let own = &mut bodies[self.slave].v[row.slave as usize];
-            (0..3).filter(|&axis| !row.led[axis]).for_each(|axis| own.0[axis] = velocity.0[axis]);
+            for axis in (0..3).filter(|&axis| !row.led[axis]) {
+                let master = &bodies[self.master];
+                let held = |(i, weight): &(u32, f64)| {
+                    (*weight > 0.0).then_some(())?;
+                    Some((master.support_of(self.node[*i as usize] as usize, axis)?, *weight))
+                };
+                let own = bodies[self.slave].v[row.slave as usize].0[axis];
+                let change = row.mass * (velocity.0[axis] - own);
+                let all: f64 = row.part.iter().filter_map(held).map(|(_, weight)| weight).sum();
+                for (support, weight) in row.part.iter().filter_map(held) {
+                    carried(self.master, support, change * (weight / all));
+                }
+                bodies[self.slave].v[row.slave as usize].0[axis] = velocity.0[axis];
+            }
         }
     }
 
@@ -223,10 +238,17 @@ impl Tie {
             let own = &mut of(&mut bodies[*master])[a as usize];
             (0..3).filter(|&axis| !held[i][axis]).for_each(|axis| own.0[axis] = solution[i].0[axis]);
         }
-        for Row { slave: a, part, led, .. } in &*row {
+        for Row { slave: a, part, mass: hanging, led } in &*row {
             let hung = part.iter().fold(Quad::ZERO, |sum, &(i, weight)| sum + solution[i as usize] * weight);
             let own = &mut of(&mut bodies[*slave])[*a as usize];
             (0..3).filter(|&axis| !led[axis]).for_each(|axis| own.0[axis] = hung.0[axis]);
+            // a hanging node takes its own inertia out of what comes to those it hangs on, the held ones too
+            for &(i, weight) in part {
+                let (i, kept) = (i as usize, hung * (weight * *hanging / mass[i as usize]));
+                let carrier = &mut of(&mut bodies[*master])[node[i] as usize];
+                let of_support = |axis: &usize| held[i][*axis] && !led[*axis];
+                (0..3).filter(of_support).for_each(|axis| carrier.0[axis] -= kept.0[axis]);
+            }
         }
     }
 }

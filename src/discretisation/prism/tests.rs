@@ -213,3 +213,31 @@ fn shapes_that_are_no_prisms_and_features_too_small_are_refused() {
     let error = refused(cylinder(2, -1.0, 1.0));
     assert_eq!(error, DiscretisationError::BadDimension { name: "radius", value: -1.0 });
 }
+
+/// Four holes of 1.159 mm whose centres are 1.824 mm from the axis leave 0.665 mm beside the rim: at 1 mm two nodes of
+/// the cells that fill it go to one point of a hole, and a pair has no direction. The finer spacings are the advice.
+#[test]
+fn holes_that_leave_too_thin_a_wall_are_refused_by_its_place_and_a_finer_spacing_does() {
+    let shape = Shape::ring_of_holes(Vec3::zeros(), 2, 3.648e-3, 2.023e-3, 1.159e-3, 1.824e-3, 4, 0.0);
+    let fill = |spacing: f64| Particles::lattice(&shape, spacing, [None; 3], 0.0);
+    let Err(DiscretisationError::NodesMeet { position, spacing }) = fill(1e-3) else {
+        panic!("two nodes lie on each other")
+    };
+    assert_eq!(spacing, 1e-3);
+    // on the edge of a hole
+    let radii = (0..4).map(|k| {
+        let angle = std::f64::consts::FRAC_PI_2 * f64::from(k);
+        (position - 1.824e-3 * Vec3::new(angle.cos(), angle.sin(), 0.0)).xy().norm()
+    });
+    let gap = radii.map(|radius| (radius - 1.159e-3).abs()).fold(f64::INFINITY, f64::min);
+    assert!(gap < 1e-9, "{position:?}");
+    for finer in [0.7e-3, 0.5e-3, 0.4e-3] {
+        let particles = fill(finer).expect("the wall is resolved");
+        let nearest = |a: usize| {
+            let others = particles.position.iter().enumerate().filter(move |(b, _)| *b != a);
+            others.map(|(_, x)| (x - particles.position[a]).norm()).fold(f64::INFINITY, f64::min)
+        };
+        let least = (0..particles.position.len()).map(nearest).fold(f64::INFINITY, f64::min);
+        assert!(least > 0.05 * finer, "{finer}: {least}");
+    }
+}
