@@ -65,8 +65,9 @@ pub(super) fn slopes() -> [[Vec3; 8]; 8] {
 pub(super) fn cell_hats(corner: &[Vec3; 8], xi: [f64; 3]) -> ([f64; 8], f64) {
     let (value, slope) = functions(xi);
     let mut map = Mat3::zeros();
+    // from a corner on: slopes add up to zero, and far from the origin little would be left of their sum
     for (x, slope) in corner.iter().zip(slope) {
-        map += x * slope.transpose();
+        map += (x - corner[0]) * slope.transpose();
     }
     (value, map.determinant())
 }
@@ -75,7 +76,7 @@ pub(super) fn cell_hats(corner: &[Vec3; 8], xi: [f64; 3]) -> ([f64; 8], f64) {
 pub(super) fn quad_hats(corner: &[Vec3; 4], [xi, eta]: [f64; 2]) -> ([f64; 4], Vec3) {
     const PLACE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let (mut along_xi, mut along_eta) = (Vec3::zeros(), Vec3::zeros());
-    for (x, [s, t]) in corner.iter().zip(PLACE) {
+    for (x, [s, t]) in corner.iter().map(|x| x - corner[0]).zip(PLACE) {
         along_xi += 0.25 * s * (1.0 + eta * t) * x;
         along_eta += 0.25 * t * (1.0 + xi * s) * x;
     }

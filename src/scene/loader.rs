@@ -3,6 +3,7 @@
 //! Owns the joining of paths and the caps on size. A scene is resolved against a [`Loader`], so it can
 //! be resolved without a file system.
 
+use crate::syntax::{Code, NotText, text_of};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -37,7 +38,7 @@ pub enum LoadError {
     /// It is larger than is read.
     TooLarge,
     /// It is not UTF-8 text.
-    NotText,
+    NotText(NotText),
     /// The system refused.
     Refused(std::io::ErrorKind),
 }
@@ -47,13 +48,23 @@ impl fmt::Display for LoadError {
         match self {
             Self::Missing => f.write_str("there is no such file"),
             Self::TooLarge => write!(f, "the file is larger than {} MB", LARGEST >> 20),
-            Self::NotText => f.write_str("the file is not UTF-8 text"),
+            Self::NotText(cause) => write!(f, "it {cause}; save it as UTF-8"),
             Self::Refused(kind) => write!(f, "{kind}"),
         }
     }
 }
 
 impl std::error::Error for LoadError {}
+
+impl LoadError {
+    /// The code of the mistake that a file named in another one cannot be read.
+    pub(super) fn code(&self) -> Code {
+        match self {
+            Self::NotText(_) => Code::NotUtf8,
+            _ => Code::FileNotFound,
+        }
+    }
+}
 
 /// A loader that reads each file once, so that one resolution never sees two versions of it.
 pub(super) struct Once<'a> {
@@ -85,7 +96,7 @@ pub struct FileSystem;
 
 impl Loader for FileSystem {
     fn load(&self, path: &str) -> Result<String, LoadError> {
-        String::from_utf8(self.load_bytes(path)?).map_err(|_| LoadError::NotText)
+        text_of(self.load_bytes(path)?).map_err(LoadError::NotText)
     }
 
     fn load_bytes(&self, path: &str) -> Result<Vec<u8>, LoadError> {

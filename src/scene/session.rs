@@ -251,7 +251,7 @@ impl<'a> Session<'a> {
             }
             Err(error) => {
                 let message = format!("`{key}` cannot be read: {error}");
-                Err(self.mistakes.report(file, Code::FileNotFound, span.clone(), message, "", None))
+                Err(self.mistakes.report(file, error.code(), span.clone(), message, "", None))
             }
         }
     }

@@ -3,6 +3,7 @@
 //! Owns the drawing as text and as JSON. Knows no terminal, no colour and no file.
 
 use super::code::Code;
+use super::encoding::line_ends;
 use super::position::Lines;
 use super::tree::{Source, Span};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
@@ -82,7 +83,7 @@ impl Diagnostic {
                 kind.span(span.start - start..span.end - start).label(text)
             });
             title = title.element(
-                Snippet::source(&source.text[start..end])
+                Snippet::source(line_ends(&source.text[start..end]))
                     .line_start(top + 1)
                     .path(&*source.name)
                     .annotations(annotations),

@@ -5,6 +5,7 @@
 
 mod code;
 mod diagnostic;
+mod encoding;
 mod format;
 mod parse;
 mod position;
@@ -13,6 +14,7 @@ mod tree;
 
 pub use code::Code;
 pub use diagnostic::{Diagnostic, Label};
+pub use encoding::{NotText, line_ends, text_of};
 pub use format::format;
 pub use parse::{MAX_EXPRESSION_DEPTH, MAX_FILE_BYTES, MAX_NESTING, decode, parse, parse_expression};
 pub use position::Lines;

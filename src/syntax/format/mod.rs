@@ -7,6 +7,7 @@ mod atoms;
 mod layout;
 
 use super::diagnostic::Diagnostic;
+use super::encoding::line_ends;
 use super::parse::parse;
 use super::tree::Source;
 
@@ -21,7 +22,7 @@ pub fn format(source: &Source) -> Result<String, Vec<Diagnostic>> {
     if !mistakes.is_empty() {
         return Err(mistakes);
     }
-    Ok(layout::layout(&atoms::Atoms::new(&source.text, &tree)))
+    Ok(layout::layout(&atoms::Atoms::new(&line_ends(&source.text), &tree)))
 }
 
 #[cfg(test)]

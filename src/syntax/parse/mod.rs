@@ -13,6 +13,7 @@ mod version;
 
 use super::code::Code;
 use super::diagnostic::Diagnostic;
+use super::encoding::{line_ends, text_of};
 use super::scan::{Token, TokenKind, scan};
 use super::tree::{ExprId, Source, Span, SyntaxTree};
 use pest::Parser;
@@ -45,7 +46,7 @@ use grammar::{Grammar, Rule};
 /// Returns the tree of all that could be read, and every mistake found, in the order of the text. An entry
 /// with a mistake is left out of the tree. Never panics, whatever the text.
 pub fn parse(source: &Source) -> (SyntaxTree, Vec<Diagnostic>) {
-    let text = &source.text;
+    let text = &*line_ends(&source.text);
     let end = text.len();
     if end > MAX_FILE_BYTES {
         let message = format!("a file holds at most {MAX_FILE_BYTES} bytes, this one has {end}");
@@ -117,27 +118,19 @@ pub fn parse_expression(source: &Source) -> Result<(SyntaxTree, ExprId), Vec<Dia
     Ok((tree, value))
 }
 
-/// Turns bytes into a source.
+/// Turns bytes into a source: UTF-8, or UTF-16 with its byte order mark.
 ///
 /// # Errors
-/// A diagnostic if the bytes are not UTF-8.
+/// A diagnostic if the bytes are neither.
 pub fn decode(name: &str, bytes: Vec<u8>) -> Result<Source, Diagnostic> {
-    match String::from_utf8(bytes) {
+    match text_of(bytes) {
         Ok(text) => Ok(Source { name: name.into(), text }),
-        Err(error) => {
-            let at = error.utf8_error().valid_up_to();
-            let line = error.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
-            let message = format!(
-                "`{name}` is not UTF-8 text: byte {at}, on line {line}, is 0x{:02x}",
-                error.as_bytes()[at]
-            );
-            Err(Diagnostic {
-                code: Code::NotUtf8,
-                message,
-                labels: vec![],
-                help: Some("save the file as UTF-8".into()),
-            })
-        }
+        Err(cause) => Err(Diagnostic {
+            code: Code::NotUtf8,
+            message: format!("`{name}` {cause}"),
+            labels: vec![],
+            help: None,
+        }),
     }
 }
 

@@ -218,6 +218,6 @@ fn a_bare_value_is_read_with_spans_of_its_own_text() {
 #[test]
 fn bytes_that_are_not_utf8_are_refused_with_their_place() {
     let mistake = decode("x.tissue", b"tissue 1\n\xff".to_vec()).unwrap_err();
-    assert_eq!(mistake.message, "`x.tissue` is not UTF-8 text: byte 9, on line 2, is 0xff");
+    assert_eq!(mistake.message, "`x.tissue` is not UTF-8 text: byte 9, on line 2, is 0xff, in Latin-1 a `ÿ`");
     assert_eq!(decode("x", b"a".to_vec()).unwrap().text, "a");
 }
