@@ -31,7 +31,7 @@ fn folder(name: &str) -> PathBuf {
 
 fn look(drawn: &Drawn, folder: &Path, steps: u64) -> Result<Outcome, Fault> {
     let path = drawn.write(folder).expect("the folder can be written");
-    watch(&path, Watch::new(steps, drawn.size() <= CALM))
+    watch(&path, Watch { threads: drawn.threads(), ..Watch::new(steps, drawn.size() <= CALM) })
 }
 
 /// A number of the environment.

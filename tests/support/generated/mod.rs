@@ -33,6 +33,8 @@ pub struct Drawn {
     planes: usize,
     /// Whether what acts may meet on a face.
     conflicts: bool,
+    /// Whether it is run on three threads too.
+    threads: bool,
     /// Decimal logarithm of the spacing in m.
     size: i32,
     /// Where the middle of the body is, in spacings.
@@ -77,7 +79,7 @@ pub fn scenes(kind: Kind, dissipations: runs::Dissipations) -> impl Strategy<Val
     (
         body,
         acts::starts(),
-        (acts, prop::bool::weighted(0.1)),
+        (acts, prop::bool::weighted(0.1), prop::bool::weighted(0.1)),
         runs::runs(dissipations),
         planes,
         -3..1_i32,
@@ -85,10 +87,32 @@ pub fn scenes(kind: Kind, dissipations: runs::Dissipations) -> impl Strategy<Val
         20.0..200.0_f64,
     )
         .prop_map(
-            |((shape, jitter, law), start, (acts, conflicts), run, planes, size, middle, transits)| {
+            |(
+                (shape, jitter, law),
+                start,
+                (acts, conflicts, threads),
+                run,
+                planes,
+                size,
+                middle,
+                transits,
+            )| {
                 // a plane of symmetry asks for a symmetric start: the affine ones along the axes
                 let planes = if shape.is_symmetric() { planes } else { 0 };
-                Drawn { shape, jitter, law, start, acts, run, planes, conflicts, size, middle, transits }
+                Drawn {
+                    shape,
+                    jitter,
+                    law,
+                    start,
+                    acts,
+                    run,
+                    planes,
+                    conflicts,
+                    threads,
+                    size,
+                    middle,
+                    transits,
+                }
             },
         )
 }
@@ -208,6 +232,11 @@ impl Drawn {
         let path = folder.join("scene.tissue");
         fs::write(&path, text)?;
         Ok(path)
+    }
+
+    /// Whether it is to be run on three threads too.
+    pub fn threads(&self) -> bool {
+        self.threads
     }
 
     /// The largest strain, stress or speed at work, in units of the material.
