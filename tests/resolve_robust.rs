@@ -29,8 +29,11 @@ fn told_well(found: &[Mistake]) {
         let json = mistake.diagnostic.to_json(&mistake.source);
         if let Some(label) = mistake.diagnostic.labels.first() {
             let before = &text[..label.span.start];
-            let line = before.matches('\n').count() + 1;
-            let column = before.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
+            // LF, CRLF and CR alone end a line
+            let ends = before.replace("\r\n", "\n\n").replace('\r', "\n");
+            let double = before.matches("\r\n").count();
+            let line = ends.matches('\n').count() - double + 1;
+            let column = ends.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
             let place = format!("--> {}:{line}:{column}\n", mistake.source.name);
             assert!(drawn.contains(&place), "{drawn} lacks {place}");
             assert!(json.to_string().contains(&format!("\"line\":{line}")), "{json}");

@@ -9,11 +9,12 @@ use crate::scene::{InterfaceStates, Scene, VolumeDissipation};
 use crate::solver::affine::affine_motions;
 use crate::solver::assemble::{Assembled, assemble, discretise};
 use crate::solver::bond::Bonds;
+use crate::solver::diagnosis;
 use crate::solver::error::SolveError;
 use crate::solver::impulse::Impulses;
 use crate::solver::ledger::Ledger;
 use crate::solver::pace::Pace;
-use crate::solver::pass::Workspaces;
+use crate::solver::pass::{Workspaces, maps_and_stress};
 use crate::solver::projection::Projection;
 use crate::solver::time_step::Rates;
 
@@ -68,6 +69,12 @@ impl Simulation {
             let body = &mut simulation.bodies[index];
             body.rates = Rates::new(body, terms, weight);
         }
+        // an initial state outside the energy's domain is told as that, not by the step it would ask for
+        for body in &mut simulation.bodies {
+            maps_and_stress(body, 0.0, &simulation.workspaces);
+        }
+        let found = diagnosis::failure(&simulation.bodies, &simulation.run, 0.0, 0.0);
+        found.map_or(Ok(()), Err)?;
         simulation.refresh_stable_step()?;
         simulation.prepare_supports(simulation.pace.step());
         if simulation.damping > 0.0 {
