@@ -129,7 +129,7 @@ pub enum SolveError {
         /// Energy at the start and the greatest work of loads and supports since, J.
         given: f64,
         /// What most likely brought it about.
-        cause: Cause,
+        cause: Box<Cause>,
     },
     /// The stable time step fell below what makes sense.
     TimeStepTooSmall {
@@ -146,7 +146,7 @@ pub enum SolveError {
         /// Smallest step allowed, s.
         allowed: f64,
         /// What most likely brought it about.
-        cause: Cause,
+        cause: Box<Cause>,
     },
 }
 
@@ -322,9 +322,9 @@ impl fmt::Display for SolveError {
                      {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: ",
                     x.x, x.y, x.z
                 )?;
-                match cause {
+                match **cause {
                     Cause::Unknown => write!(f, "steps too long for this integrator; write a smaller `cfl`"),
-                    cause => write!(f, "{cause}"),
+                    ref cause => write!(f, "{cause}"),
                 }
             }
             Self::TimeStepTooSmall { particle, body, position: x, time, required, allowed, cause } => {
@@ -334,13 +334,13 @@ impl fmt::Display for SolveError {
                      {particle} of `{body}`, X = ({:.4e}, {:.4e}, {:.4e}) m, t = {time:.4e} s; likely cause: ",
                     x.x, x.y, x.z
                 )?;
-                match cause {
+                match **cause {
                     Cause::Unknown => write!(
                         f,
                         "the material has stiffened there beyond what the scene meant, or the end time asks for \
                          more than 1e9 steps"
                     ),
-                    cause => write!(f, "{cause}"),
+                    ref cause => write!(f, "{cause}"),
                 }
             }
         }

@@ -292,7 +292,7 @@ impl Read<'_> {
                 let rate = corotational_rate(rate, m, own.half_spin + other.half_spin);
                 let damping = dashpot(rate, distance, self.impedance);
                 work = (damping * strut.area).products_plus(rate, work);
-                traction = traction + damping;
+                traction += damping;
             }
             let t = traction * strut.area;
             sums.force += t;

@@ -167,7 +167,7 @@ impl Ledger {
             .unwrap_or_default();
         let body = &bodies[index];
         Err(SolveError::EnergyFromNothing {
-            cause: diagnosis::cause(body, particle, run, step),
+            cause: Box::new(diagnosis::cause(body, particle, run, step)),
             particle,
             body: body.name.clone(),
             position: body.particles.position[particle],

@@ -231,8 +231,10 @@ impl ForceTerms {
     /// none.
     fn upwinding(&self, density: f64) -> Option<Speeds> {
         let constant = self.states == InterfaceStates::Constant;
-        constant
-            .then(|| Speeds { pressure: density * self.speeds.pressure, shear: density * self.speeds.shear })
+        constant.then_some(Speeds {
+            pressure: density * self.speeds.pressure,
+            shear: density * self.speeds.shear,
+        })
     }
 }
 

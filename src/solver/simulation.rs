@@ -382,7 +382,7 @@ impl Simulation {
                     time: self.time,
                     required,
                     allowed,
-                    cause: diagnosis::cause(body, particle, &self.run, self.last_step),
+                    cause: Box::new(diagnosis::cause(body, particle, &self.run, self.last_step)),
                 });
             }
             stable = stable.min(required);

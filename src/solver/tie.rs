@@ -158,7 +158,7 @@ impl Tie {
     /// Gives hanging nodes the velocity of those they hang on.
     ///
     /// What this changes of their momentum comes through the supports of those, by their weights; `carried` as in
-    /// [`Bonds::follow`](super::bond::Bonds::follow).
+    /// `Bonds::follow`.
     pub fn follow(&self, bodies: &mut [BodyState], carried: &mut impl FnMut(usize, usize, f64)) {
         for row in &self.row {
             let velocity = self.hanging(row, &bodies[self.master].v);
